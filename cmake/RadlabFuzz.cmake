@@ -1,0 +1,24 @@
+# The fuzzer of the scene readers: built by clang whatever the project's compiler is, since only clang has libFuzzer.
+
+find_program(RADLAB_CLANGXX NAMES clang++ clang++-14)
+
+# Adds a test that feeds the readers for some seconds with changed copies of the seed corpus.
+function(radlab_fuzz_test name source seconds)
+  cmake_parse_arguments(arg "" "CORPUS;DICTIONARY" "SOURCES" ${ARGN})
+  if(NOT RADLAB_CLANGXX)
+    radlab_missing("clang" "the short fuzz run is left out of the tests")
+    return()
+  endif()
+  set(folder ${PROJECT_BINARY_DIR}/fuzz)
+  set(program ${folder}/${name}-program)
+  add_custom_command(OUTPUT ${program}
+    COMMAND ${RADLAB_CLANGXX} -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
+      -I${PROJECT_SOURCE_DIR}/framework -idirafter ${GLM_INCLUDE_DIR} ${source} ${arg_SOURCES}
+      $<TARGET_FILE:tinyxml2::tinyxml2> -o ${program}
+    DEPENDS ${source} ${arg_SOURCES}
+    COMMENT "Building ${name} with clang and its sanitizers" VERBATIM)
+  add_custom_target(${name} ALL DEPENDS ${program})
+  add_test(NAME "${name}: survives ${seconds} s of mutated input" COMMAND ${program} -max_total_time=${seconds} -timeout=10
+    -rss_limit_mb=2048 -print_final_stats=1 -dict=${arg_DICTIONARY} ${folder}/${name}-found ${arg_CORPUS})
+  file(MAKE_DIRECTORY ${folder}/${name}-found)
+endfunction()

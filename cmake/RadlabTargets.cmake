@@ -1,0 +1,55 @@
+# radlab_library(), radlab_tests(), radlab_program(), radlab_submission(): one line a target in the lists.
+
+# The library of framework/<name>: every .cpp there except tests, and its tests beside it. What it may
+# depend on is said once, in checks/layers.txt, and read from there.
+file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/checks/layers.txt RADLAB_LAYERS REGEX "^[a-z]")
+
+function(radlab_layer_of folder out)
+  foreach(line IN LISTS RADLAB_LAYERS)
+    if(line MATCHES "^${folder} *:(.*)$")
+      separate_arguments(found UNIX_COMMAND "${CMAKE_MATCH_1}")
+      set(${out} ${found} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "cmake/checks/layers.txt: no line for framework/${folder}")
+endfunction()
+
+function(radlab_library name)
+  set(folder ${PROJECT_SOURCE_DIR}/framework/${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
+  list(FILTER sources EXCLUDE REGEX "(Test|Fuzz|Bench)\\.cpp$")
+  add_library(radlab_${name} STATIC ${sources})
+  radlab_layer_of(framework/${name} lower)
+  list(TRANSFORM lower REPLACE "framework/" "radlab_")
+  target_link_libraries(radlab_${name} PUBLIC radlab_options radlab_glm ${lower})
+endfunction()
+
+# A submission: one file with the six functions, compiled as it stands, warnings included.
+function(radlab_submission name file)
+  add_library(radlab_${name} OBJECT ${PROJECT_SOURCE_DIR}/${file})
+  target_link_libraries(radlab_${name} PUBLIC radlab_course)
+  target_include_directories(radlab_${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework/course)
+  target_precompile_headers(radlab_${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework/course/ProgRef.h)
+endfunction()
+
+# A test program of all …Test.cpp in a folder, its cases listed one by one in ctest.
+function(radlab_tests name folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*Test.cpp)
+  if(NOT doctest_FOUND OR NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources} ${PROJECT_SOURCE_DIR}/framework/base/TestMain.cc)
+  target_link_libraries(${name} PRIVATE doctest::doctest ${ARGN})
+  doctest_discover_tests(${name} TEST_PREFIX "${name}: ")
+endfunction()
+
+# The program framework/apps/<source>.cpp, put into bin/.
+function(radlab_program name source)
+  if(NOT CLI11_FOUND)
+    return()
+  endif()
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/framework/apps/${source}.cpp)
+  target_link_libraries(${name} PRIVATE CLI11::CLI11 ${ARGN})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()

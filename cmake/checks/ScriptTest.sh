@@ -1,0 +1,89 @@
+#!/bin/sh
+# Tests of the radlab script: ScriptTest.sh PROJECT VERSION CLAIM
+#
+# Programs are built from a stand-in for the project, in a folder with a space in its name, and apt-get is
+# never asked: dpkg-query is a stand-in too, which finds every package installed.
+# shellcheck disable=SC2015,SC2016  # A && B || wrong is meant so; the quoted $ are for the stand-ins.
+set -eu
+project=$1 version=$2 claim=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+wrong() { echo "$claim: $*" >&2; exit 1; }
+program() { printf '#!/bin/sh\n%s\n' "$2" >"$work/tools/$1"; chmod +x "$work/tools/$1"; }
+
+mkdir -p "$work/a copy" "$work/tools"
+cp "$project/radlab" "$project/CMakePresets.json" "$work/a copy"
+cat >"$work/a copy/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(radlab VERSION 9.8.7 LANGUAGES NONE)
+file(WRITE ${CMAKE_BINARY_DIR}/bin/demo "#!/bin/sh\npwd\nprintf '<%s>' \"$@\"\n")
+file(CHMOD ${CMAKE_BINARY_DIR}/bin/demo PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+add_custom_command(OUTPUT made COMMAND ${CMAKE_COMMAND} -E touch made)
+add_custom_target(demo DEPENDS made)
+add_custom_target(demo-exercise COMMAND ${CMAKE_COMMAND} -E cat no-such-file)
+END
+ln -s "a copy/radlab" "$work/link"
+program apt-get 'exit 1'
+program dpkg-query 'shift 3; for name; do printf "%s installed " "$name"; done'
+PATH=$work/tools:$PATH
+unset RADLAB_PRESET
+
+# Runs the script; its exit code goes to $code, what it printed to the files out and err.
+run() { code=0; "$@" >"$work/out" 2>"$work/err" </dev/null || code=$?; }
+one_line() { [ "$(wc -l <"$work/err")" -eq 1 ] && [ ! -s "$work/out" ] || wrong "$(cat "$work/out" "$work/err")"; }
+says() { grep -qF -- "$2" "$work/$1" || wrong "expected '$2', found: $(cat "$work/$1")"; }
+
+case $claim in
+    "help lists every command")
+        run "$project/radlab" help
+        for name in demo test check watch view render plan study grade package bench help; do
+            grep -q "^  $name " "$work/out" || wrong "no $name"
+        done
+        cp "$work/out" "$work/help"
+        run "$project/radlab" --help
+        cmp "$work/out" "$work/help" ;;
+    "an unknown command exits with 2 and a suggestion")
+        run "$project/radlab" dmeo
+        [ "$code" = 2 ] || wrong "exit code $code"
+        one_line
+        says err "did you mean 'demo'?"
+        run "$project/radlab" 'x|y.*'
+        one_line
+        says err "expected one of demo test check" ;;
+    "what is not built yet says so in one line")
+        "$project/radlab" help | sed -n 's/^  \([a-z]*\) .*(not built yet)$/\1/p' >"$work/later"
+        while read -r name; do
+            run "$project/radlab" "$name"
+            [ "$code" = 2 ] || wrong "$name: exit code $code"
+            one_line
+            says err "radlab: '$name' is not built yet"
+        done <"$work/later" ;;
+    "--version is the version of the project")
+        run "$project/radlab" --version
+        [ "$(cat "$work/out")" = "radlab $version" ] || wrong "$(cat "$work/out")" ;;
+    "a program gets its arguments unchanged, from any folder")
+        cd "$work/tools"
+        run "$work/link" demo --help "two words" '*' ''
+        [ "$code" = 0 ] || wrong "$(cat "$work/err")"
+        says out "$(pwd -P)"
+        says out "<--help><two words><*><>" ;;
+    "what is up to date starts without a word")
+        run "$work/a copy/radlab" demo
+        run "$work/a copy/radlab" demo
+        [ "$code" = 0 ] && [ ! -s "$work/err" ] || wrong "$(cat "$work/err")" ;;
+    "a failed build exits with 2 and what the compiler said")
+        run "$work/a copy/radlab" demo --exercise
+        [ "$code" = 2 ] && [ ! -s "$work/out" ] || wrong "exit code $code"
+        says err no-such-file
+        says err "radlab: the build failed" ;;
+    "missing packages are named in one line to run")
+        program dpkg-query 'exit 1'
+        program sudo 'exit 1'
+        program id 'echo 1000'
+        run "$work/a copy/radlab" demo
+        [ "$code" = 2 ] || wrong "exit code $code"
+        one_line
+        says err "run: sudo apt-get install --no-install-recommends g++ cmake ninja-build" ;;
+    *) wrong "no such test" ;;
+esac

@@ -1,0 +1,88 @@
+#include "apps/DemoPage.h"
+
+#include <cstdio>
+
+#include <kainjow/mustache.hpp>
+
+#include "base/Error.h"
+#include "base/ImageFile.h"
+#include "base/ProgressBar.h"
+#include "base/WholeFile.h"
+#include "display/Label.h"
+
+namespace radlab {
+
+namespace {
+
+using kainjow::mustache::data;
+
+constexpr int sheetColumns = 5;
+
+data pictureData(const Demo& demo) {
+    data list{data::type::list};
+    for (const DemoPicture& picture : demo.pictures) {
+        data entry;
+        entry.set("file", picture.file);
+        entry.set("title", picture.title);
+        entry.set("text", picture.text);
+        if (!picture.function.empty()) entry.set("function", picture.function);
+        list << entry;
+    }
+    return list;
+}
+
+data shotData(const Demo& demo) {
+    data list{data::type::list};
+    for (std::size_t i = 0; i < demo.shots.size(); ++i) {
+        char share[32];
+        std::snprintf(share, sizeof share, "%.2g", 100.0 * demo.shots[i].unshotShare);
+        data entry;
+        entry.set("file", demo.shots[i].file);
+        entry.set("shots", std::to_string(demo.shots[i].shots));
+        entry.set("unshot", share);
+        entry.set("separator", i + 1 < demo.shots.size() ? "," : "");
+        list << entry;
+    }
+    return list;
+}
+
+std::string page(const Demo& demo) {
+    kainjow::mustache::mustache text(readFile(RADLAB_SOURCE_DIR "/resources/demo/index.mustache"));
+    if (!text.is_valid()) throw Error({"resources/demo/index.mustache"}, text.error_message());
+    data values;
+    values.set("pictures", pictureData(demo));
+    values.set("seconds", durationText(demo.seconds));
+    if (!demo.shots.empty()) {
+        values.set("has_shots", true);
+        values.set("shots", shotData(demo));
+        values.set("last", std::to_string(demo.shots.size() - 1));
+        values.set("last_file", demo.shots.back().file);
+    }
+    return text.render(values);
+}
+
+Image sheet(const Demo& demo) {
+    std::vector<Image> small;
+    std::vector<std::string> captions;
+    for (const DemoPicture& picture : demo.pictures) {
+        small.push_back(picture.image.shrunk(2));
+        captions.push_back(picture.caption);
+    }
+    return contactSheet(small, captions, sheetColumns);
+}
+
+}  // namespace
+
+std::filesystem::path writeDemo(const Demo& demo, const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
+    for (const DemoPicture& picture : demo.pictures) writeImage(folder / picture.file, picture.image);
+    for (const DemoShot& shot : demo.shots) writeImage(folder / shot.file, shot.image);
+    if (!demo.shots.empty()) writeImage(folder / "shots_strip.png", demo.strip);
+    writeImage(folder / "contact_sheet.png", sheet(demo));
+    writeFile(folder / "index.html", page(demo));
+    return folder / "index.html";
+}
+
+}  // namespace radlab

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "base/Image.h"
+
+namespace radlab {
+
+/// Writes a picture as PNG (8 bits a channel) or Radiance HDR, by the ending of the file's name.
+///
+/// PNG takes the numbers as they are: 0 to 1 is black to white, ready for display, the rest is clamped. HDR keeps
+/// linear values of 0 and more with a shared exponent (1 %). In both a pixel that is not finite becomes magenta so
+/// that it is seen.
+/// The file appears whole or not at all.
+/// Errors: an unknown ending, a folder that does not exist, a full disk.
+void writeImage(const std::filesystem::path& file, const Image& image);
+
+/// Reads a PNG (0 to 1 a channel, as stored) or Radiance HDR (linear).
+///
+/// Errors: no such file, an unknown ending, contents that are cut off or of another kind.
+Image readImage(const std::filesystem::path& file);
+
+}  // namespace radlab

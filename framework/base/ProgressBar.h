@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+#include "base/Stopwatch.h"
+
+namespace radlab {
+
+/// A line on stderr that shows how far a long work is, its rate and the time left.
+///
+/// Silent where stderr is no terminal. Redrawn at most ten times a second; wiped when it goes.
+class ProgressBar {
+public:
+    /// title names the work, unit its steps ("shots"); total is how many there are.
+    ProgressBar(std::string title, double total, std::string unit = "");
+    /// The same on another stream, drawn if visible; for tests.
+    ProgressBar(std::string title, double total, std::string unit, std::ostream& out, bool visible);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    /// Shows that done of total steps are done, with a word on the state of things if given.
+    void show(double done, const std::string& note = "");
+
+private:
+    std::string line(double done, const std::string& note) const;
+
+    std::string title;
+    std::string unit;
+    double total;
+    std::ostream& out;
+    bool visible;
+    Stopwatch watch;
+    double lastDrawn = -1.0;
+    std::size_t lastLength = 0;
+};
+
+/// "0.4 s", "12 s", "3 min 20 s", "2 h 5 min".
+std::string durationText(double seconds);
+
+/// Whether stderr is a terminal, where a person reads along.
+bool errorStreamIsTerminal();
+
+}  // namespace radlab

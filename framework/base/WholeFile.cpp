@@ -1,0 +1,58 @@
+#include "base/WholeFile.h"
+
+#include <cstdint>
+#include <fstream>
+#include <random>
+
+#include "base/Error.h"
+
+namespace radlab {
+
+namespace {
+
+constexpr std::uintmax_t largestFile = std::uintmax_t{1} << 30;
+
+std::filesystem::path nameBeside(const std::filesystem::path& file) {
+    std::random_device random;
+    return file.string() + "." + std::to_string(random()) + ".part";
+}
+
+}  // namespace
+
+void writeFile(const std::filesystem::path& file, std::string_view contents) {
+    const std::filesystem::path part = nameBeside(file);
+    std::error_code ignored;
+    {
+        std::ofstream out(part, std::ios::binary);
+        if (!out) throw Error({file.string()}, "cannot be written: is there such a folder, and may you write there?");
+        out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+        out.close();
+        if (!out) {
+            std::filesystem::remove(part, ignored);
+            throw Error({file.string()}, "writing stopped half-way: is the disk full?");
+        }
+    }
+    std::error_code failure;
+    std::filesystem::rename(part, file, failure);
+    if (failure) {
+        std::filesystem::remove(part, ignored);
+        throw Error({file.string()}, "cannot be written: " + failure.message());
+    }
+}
+
+std::string readFile(const std::filesystem::path& file) {
+    std::error_code failure;
+    if (std::filesystem::is_directory(file, failure)) throw Error({file.string()}, "is a folder, expected a file");
+    if (!std::filesystem::exists(file, failure)) throw Error({file.string()}, "no such file");
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw Error({file.string()}, "cannot be opened: may you read it?");
+    const std::uintmax_t size = std::filesystem::file_size(file, failure);
+    if (!failure && size > largestFile)
+        throw Error({file.string()}, "too large: found " + std::to_string(size) + " bytes, expected at most " +
+                                         std::to_string(largestFile));
+    std::string contents{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (in.bad()) throw Error({file.string()}, "cannot be read to its end");
+    return contents;
+}
+
+}  // namespace radlab

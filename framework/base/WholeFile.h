@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace radlab {
+
+/// Writes a file whole or not at all: into a new file beside it, then renamed over it.
+///
+/// Errors: a folder that does not exist or cannot be written, a full disk; the older file is then left as it was.
+void writeFile(const std::filesystem::path& file, std::string_view contents);
+
+/// The contents of a file.
+///
+/// Errors: no such file, a folder, a file that cannot be read or is larger than 1 GiB.
+std::string readFile(const std::filesystem::path& file);
+
+}  // namespace radlab

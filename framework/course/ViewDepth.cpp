@@ -1,0 +1,59 @@
+#include "course/ViewDepth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace radlab {
+
+namespace {
+
+constexpr double smallestRatio = 1e-6;
+
+double distanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 edge = b - a;
+    const double length2 = glm::dot(edge, edge);
+    const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
+    return glm::distance(p, a + t * edge);
+}
+
+// Distance from p to a convex planar polygon.
+double distanceToPatch(const glm::dvec3& p, const MyPolygon& patch, const std::vector<MyVertex*>& corners) {
+    const auto corner = [&](int i) {
+        return glm::dvec3(corners[static_cast<std::size_t>(patch.vertex[i % patch.vertices])]->position);
+    };
+    const glm::dvec3 normal(patch.normal);
+    bool over = true;
+    double nearestEdge = INFINITY;
+    for (int i = 0; i < patch.vertices; ++i) {
+        const glm::dvec3 a = corner(i), b = corner(i + 1);
+        over = over && glm::dot(glm::cross(b - a, p - a), normal) >= 0.0;
+        nearestEdge = std::min(nearestEdge, distanceToSegment(p, a, b));
+    }
+    return over ? std::abs(glm::dot(p - corner(0), normal)) : nearestEdge;
+}
+
+}  // namespace
+
+ViewDepth viewDepth(const std::vector<MyPolygon*>& patches, const std::vector<MyVertex*>& corners,
+                    const glm::dvec3& eye, const glm::dvec3& direction) {
+    if (patches.empty()) return {1e-3, 1e3};
+    double nearest = INFINITY, farthest = 0.0;
+    for (const MyPolygon* patch : patches) {
+        const glm::dvec3 centre(patch->center);
+        double radius = 0.0, highest = -INFINITY;
+        for (int i = 0; i < patch->vertices; ++i) {
+            const glm::dvec3 position(corners[static_cast<std::size_t>(patch->vertex[i])]->position);
+            radius = std::max(radius, glm::distance(position, centre));
+            highest = std::max(highest, glm::dot(position - eye, direction));
+        }
+        const double distance = glm::distance(centre, eye);
+        farthest = std::max(farthest, distance + radius);
+        if (distance - radius < nearest && highest > 1e-5 * radius)
+            nearest = std::min(nearest, distanceToPatch(eye, *patch, corners));
+    }
+    farthest *= 1.01;
+    nearest = std::isfinite(nearest) ? 0.5 * nearest : 0.5 * farthest;
+    return {std::clamp(nearest, smallestRatio * farthest, 0.5 * farthest), farthest};
+}
+
+}  // namespace radlab

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+#include "base/Image.h"
+
+class Hemicube;
+
+namespace radlab {
+
+/// A colour that tells neighbouring IDs apart: hues a golden angle from each other; black for 0.
+///
+/// @return ready for display
+glm::vec3 idColor(std::size_t id);
+
+/// A colour for a share of 0 to 1: black, violet, red, orange, pale yellow, each lighter than the one before.
+///
+/// @return ready for display; black below 0, the last colour above 1
+glm::vec3 heatColor(float share);
+
+/// The heat colour of a form factor on a logarithmic scale: black at 1e-7 and below, pale at 1e-2 and above.
+glm::vec3 formFactorColor(float formFactor);
+
+/// The read-back buffer of a hemicube, its five faces unfolded, each patch ID in its false colour.
+///
+/// @pre    readIndexBuffer has been called
+/// @return rendersize x rendersize pixels, up on top, ready for display; the unused corners are dark grey
+Image hemicubeIds(const Hemicube& hemicube);
+
+/// The delta form factors of a hemicube as heat colours, the same way round.
+Image hemicubeWeights(const Hemicube& hemicube);
+
+}  // namespace radlab

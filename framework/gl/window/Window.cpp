@@ -1,0 +1,55 @@
+#include "gl/window/Window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "base/Error.h"
+
+namespace radlab {
+
+namespace {
+
+int openWindows = 0;
+
+[[noreturn]] void fail(const std::string& what) {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    throw Error("GLFW: " + what + (reason ? std::string(": ") + reason : ""));
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const std::string& title, bool visible) {
+    if (openWindows == 0 && !glfwInit()) fail("no display");
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!window) {
+        if (openWindows == 0) glfwTerminate();
+        fail("no window could be opened");
+    }
+    ++openWindows;
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window);
+    if (--openWindows == 0) glfwTerminate();
+}
+
+void Window::bind() { glfwMakeContextCurrent(window); }
+
+void* Window::address(const char* function) const { return reinterpret_cast<void*>(glfwGetProcAddress(function)); }
+
+std::vector<std::string> GlContext::offscreenKinds() { return {"window"}; }
+
+std::unique_ptr<GlContext> GlContext::offscreen(const std::string& kind) {
+    if (kind != "window")
+        throw Error("RADLAB_GL: unknown kind of OpenGL context, found '" + kind + "', expected window");
+    auto hidden = std::make_unique<Window>(64, 64, "radlab", false);
+    hidden->makeCurrent();
+    return hidden;
+}
+
+}  // namespace radlab
