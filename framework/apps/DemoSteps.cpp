@@ -282,7 +282,8 @@ private:
                 picture.text =
                     "The hemicube over a patch of the light, its five faces unfolded: the square in the middle looks "
                     "straight down, at the "
-                    "two blocks, the four half faces look at the walls. Adding up the delta form factor of every "
+                    "two blocks, the four half faces look at the walls, and black is the open front. Adding up the "
+                    "delta form factor of every "
                     "pixel that shows a patch gives the patch's form factor, and what is hidden gets none.";
                 return hemicubeIds(hemicube);
             });
