@@ -1,9 +1,12 @@
 // How fast the course's functions are: hemicubes per second, by immediate mode, as a student writes them.
 
+#include <iostream>
 #include <memory>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
+#include "base/Program.h"
 #include "course/PatchMesh.h"
 #include "course/ProgRef.h"
 #include "gl/Context.h"
@@ -58,6 +61,24 @@ void analyticRows(benchmark::State& state) {
 }
 BENCHMARK(analyticRows)->ArgName("about")->Arg(5000)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
+void printHelp() {
+    std::cout << "Measures hemicubes and analytic rows per second.\n\n"
+                 "Example: ./radlab bench --benchmark_filter=hemicubes --benchmark_repetitions=5\n\n"
+                 "  --version                            Display program version information and exit\n";
+    benchmark::PrintDefaultHelp();
+}
+
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    if (argc == 2 && std::string(argv[1]) == "--version") {
+        std::cout << "radlab " RADLAB_VERSION "\n";
+        return 0;
+    }
+    benchmark::Initialize(&argc, argv, printHelp);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    return radlab::runProgram([] {
+        benchmark::RunSpecifiedBenchmarks();
+        return 0;
+    });
+}

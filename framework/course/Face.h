@@ -23,8 +23,9 @@ struct Material {
 struct Face {
     std::vector<int> corners;  ///< indices of its vertices, counter-clockwise seen from the front
     std::shared_ptr<const Material> material;
-    bool twoSided = false;  ///< seen from its back too (X3D: solid="false"); light leaves the front alone
-    Location where;         ///< where it was read, for messages
+    bool twoSided = false;     ///< seen from its back too (X3D: solid="false"); light leaves the front alone
+    Location where;            ///< where it was read, for messages
+    float creaseAngle = 0.0f;  ///< radians: neighbours at a smaller angle are shaded as one curved surface; 0: none
 };
 
 }  // namespace radlab

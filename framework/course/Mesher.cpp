@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/Warning.h"
+#include "course/CreaseAngle.h"
 #include "course/FacePolygon.h"
 
 using namespace radlab;
@@ -302,5 +303,6 @@ std::vector<int> Mesher::mesh(const std::vector<Vec3f>& inVertices, const std::v
         faceOf.resize(outPolygons.size(), static_cast<int>(i));
     }
     warnOfSlivers(slivers, firstSliver);
+    shareWithinCreaseAngle(inPolygons, faceOf, outVertices, outPolygons);
     return faceOf;
 }

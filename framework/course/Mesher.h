@@ -14,7 +14,8 @@ public:
     /// cells along each pair of edges, at least 1. A triangle becomes n² triangles of its own shape, n =
     /// round(longest edge / size), at least 1. A larger or concave polygon is cut along a grid of square cells, laid
     /// along its longest edge; a piece that is not a triangle or quadrilateral is cut into them. Patches of one face share
-    /// their vertices, patches of different faces never do, so nodal averaging does not blur creases.
+    /// their vertices; patches of different faces only where both faces have a crease angle, and meet at a smaller one,
+    /// so nodal averaging never blurs a crease.
     ///
     /// @param inVertices  positions, in the scene's unit of length
     /// @param inPolygons  faces, counter-clockwise seen from the front, planar to 1e-3 of their size

@@ -114,6 +114,29 @@ TEST_CASE("vertices are shared inside a face and never with another face") {
     for (const std::set<int>& faces : facesOf) CHECK(faces.size() == 1);
 }
 
+TEST_CASE("faces of a curved surface share vertices where they meet at less than their crease angle") {
+    const auto roof = [](float creaseAngle, const std::shared_ptr<const Material>& right) {
+        Faces faces;  // two sides of a roof that meet at 90 degrees
+        faces.add({{0, 0, 0}, {1, 0, 1}, {1, 2, 1}, {0, 2, 0}}, right);
+        faces.add({{1, 0, 1}, {2, 0, 0}, {2, 2, 0}, {1, 2, 1}}, faces.faces[0].material);
+        for (Face& face : faces.faces) face.creaseAngle = creaseAngle;
+        return faces;
+    };
+    const auto white = material(Vec3f(0.5f));
+    CHECK(roof(0.0f, white).mesh(1.0f)->corners.size() == 2 * 6);
+    CHECK(roof(1.5f, white).mesh(1.0f)->corners.size() == 2 * 6);
+    const auto smooth = roof(1.6f, white).mesh(1.0f);
+    CHECK(smooth->corners.size() == 2 * 6 - 3);
+    for (const MyPolygon& patch : smooth->patches) {
+        Vec3f centre(0.0f);
+        for (int k = 0; k < 4; ++k) centre += 0.25f * smooth->corners.at(patch.vertex[k]).position;
+        CHECK(glm::distance(centre, patch.center) < 1e-6f);
+    }
+    Faces two = roof(1.6f, white);
+    two.faces[1].material = material(Vec3f(0.7f));
+    CHECK(two.mesh(1.0f)->corners.size() == 2 * 6);
+}
+
 TEST_CASE("patches begin with their emission unshot, their reflectance as colour and no form factor") {
     Faces faces;
     faces.add(square(0, true), material(Vec3f(0.1f, 0.2f, 0.3f), Vec3f(4, 5, 6)));

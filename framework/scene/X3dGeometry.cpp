@@ -1,6 +1,7 @@
 #include "scene/X3dGeometry.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace radlab {
@@ -57,6 +58,12 @@ void mergeRepeatedCorners(Corners& face) {
     while (face.size() > 1 && face.front() == face.back()) face.pop_back();
 }
 
+float creaseAngle(const X3dNode& node) {
+    const double angle = node.number("creaseAngle", 0.0);
+    if (angle < 0.0) node.fail("creaseAngle: found " + std::to_string(angle) + ", expected radians of at least 0");
+    return static_cast<float>(std::min(angle, std::numbers::pi));
+}
+
 }  // namespace
 
 std::shared_ptr<const X3dPoints> readCoordinate(const X3dNode& node) {
@@ -70,7 +77,7 @@ std::shared_ptr<const X3dPoints> readCoordinate(const X3dNode& node) {
 }
 
 X3dGeometry readGeometry(const X3dNode& node, std::shared_ptr<const X3dPoints> points) {
-    X3dGeometry geometry{std::move(points), {}, 0, 0, !node.flag("solid", true), node.where()};
+    X3dGeometry geometry{std::move(points), {}, 0, 0, !node.flag("solid", true), creaseAngle(node), node.where()};
     const bool clockwise = !node.flag("ccw", true);
     std::size_t number = 0;
     for (Corners& face : readFaces(node)) {

@@ -21,6 +21,7 @@ struct X3dGeometry {
     std::size_t corners = 0;              ///< of all faces together
     int flattened = 0;                    ///< faces left out, since they repeat corners until fewer than 3 are left
     bool twoSided = false;                ///< solid="false"
+    float creaseAngle = 0.0f;             ///< radians
     Location where;
 };
 

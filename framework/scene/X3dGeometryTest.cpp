@@ -19,6 +19,19 @@ std::string set(const std::string& kind, const std::string& fields) {
 
 }  // namespace
 
+TEST_CASE("creaseAngle reaches the faces, and is 0 where it is not given") {
+    const auto faceWith = [](const std::string& field) {
+        return parseX3d("<X3D><Scene><Shape><IndexedFaceSet coordIndex='0 1 2' " + field +
+                            "><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedFaceSet></Shape></Scene></X3D>",
+                        "crease.x3d")
+            .faces.at(0);
+    };
+    CHECK(faceWith("").creaseAngle == 0.0f);
+    CHECK(faceWith("creaseAngle='0.5'").creaseAngle == 0.5f);
+    CHECK(faceWith("creaseAngle='9'").creaseAngle == doctest::Approx(3.14159265));
+    CHECK_THROWS_WITH_AS(faceWith("creaseAngle='-1'"), doctest::Contains("expected radians of at least 0"), Error);
+}
+
 TEST_CASE("a face set is cut at -1, and the last -1 may be missing") {
     for (const char* index : {"0 1 2 -1 0, 2, 3 -1", "0 1 2 -1 0 2 3"}) {
         const Scene scene = parse(faceSet(index));

@@ -124,7 +124,7 @@ void X3dSceneBuilder::addFaces(const X3dNode& shape, const Placement& placement,
     }
     corners += geometry.corners;
     for (const auto& local : geometry.faces) {
-        Face face{local, material, geometry.twoSided, geometry.where};
+        Face face{local, material, geometry.twoSided, geometry.where, geometry.creaseAngle};
         for (int& corner : face.corners) corner += first;
         // Seen in a mirror, counter-clockwise is clockwise.
         if (placement.mirrored) std::reverse(face.corners.begin() + 1, face.corners.end());

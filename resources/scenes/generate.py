@@ -343,14 +343,6 @@ def face_set(faces: list[Polygon], **attributes: str) -> Lines:
     return element("IndexedFaceSet", fields, element("Coordinate", {"point": wrapped(points, 4)}))
 
 
-def triangle_set(triangles: list[Polygon]) -> Lines:
-    """An IndexedTriangleSet with its own Coordinate node."""
-    points, indexed = index_corners(triangles)
-    corners = [" ".join(map(str, triangle)) for triangle in indexed]
-    fields = {"solid": "true", "index": wrapped(corners, 8)}
-    return element("IndexedTriangleSet", fields, element("Coordinate", {"point": wrapped(points, 4)}))
-
-
 def shape(appearance: Lines, geometry: Lines, name: str | None = None) -> Lines:
     """A Shape node."""
     return element("Shape", {"DEF": name} if name else {}, appearance, geometry)
@@ -591,6 +583,7 @@ Source: made for radlab. Expected: the room is closed, so every row of form fact
 
 TEAPOT_STEPS = 5
 TEAPOT_LIFT = 0.02
+TEAPOT_CREASE = 0.7  # radians: smooth over the bends of the body, sharp at the rims
 
 
 def teapot_scene() -> str:
@@ -602,7 +595,7 @@ The Utah teapot in a coloured, closed box: a curved thing of {len(triangles)} tr
 Units: Newell's (the pot is 3.15 high); emission W/m². Source: {patches}.
 The handle's and spout's ends and the gap round the lid, open in the original, are closed by flat faces: body,
 handle and spout are three closed shells that reach into each other.
-The pot stands {number(TEAPOT_LIFT)} over the floor, so that no face touches it.
+The pot stands {number(TEAPOT_LIFT)} over the floor, so that no face touches it. Its creaseAngle asks for smooth shading.
 """
     palette = Palette(
         red=Material((0.6, 0.15, 0.1)),
@@ -629,7 +622,7 @@ The pot stands {number(TEAPOT_LIFT)} over the floor, so that no face touches it.
     pot = element(
         "Transform",
         {"translation": numbers((0.0, TEAPOT_LIFT, 0.0)), "rotation": numbers((1.0, 0.0, 0.0, -math.pi / 2))},
-        shape(palette.appearance("china"), triangle_set(triangles), "teapot"),
+        shape(palette.appearance("china"), face_set(triangles, creaseAngle=number(TEAPOT_CREASE)), "teapot"),
     )
     view = viewpoint("Before the teapot", (2.0, 4.4, 8.4), (0.2, 1.4, 0.0), 0.8)
     return document(comment, view, *walls, pot)
