@@ -36,6 +36,9 @@ endif()
 
 if(RADLAB_SANITIZE)
   set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND sanitize -Wno-maybe-uninitialized)  # the sanitizers' own code sets off false alarms
+  endif()
   add_compile_options(${sanitize})
   add_link_options(${sanitize})
 endif()

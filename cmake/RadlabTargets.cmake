@@ -44,12 +44,11 @@ function(radlab_tests name folder)
   doctest_discover_tests(${name} TEST_PREFIX "${name}: ")
 endfunction()
 
-# The program framework/apps/<source>.cpp, put into bin/.
+# The program framework/apps/<source>.cpp.
 function(radlab_program name source)
   if(NOT CLI11_FOUND)
     return()
   endif()
   add_executable(${name} ${PROJECT_SOURCE_DIR}/framework/apps/${source}.cpp)
   target_link_libraries(${name} PRIVATE CLI11::CLI11 ${ARGN})
-  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()

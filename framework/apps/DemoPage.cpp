@@ -18,14 +18,23 @@ using kainjow::mustache::data;
 
 constexpr int sheetColumns = 5;
 
+std::string paragraph(const DemoPicture& picture) {
+    if (picture.outcome != DemoPicture::Outcome::made) return picture.problem;
+    data figures;
+    for (const auto& [name, value] : picture.figures) figures.set(name, value);
+    kainjow::mustache::mustache text(picture.words.text);
+    text.set_custom_escape([](const std::string& plain) { return plain; });  // the page escapes it
+    return text.render(figures);
+}
+
 data pictureData(const Demo& demo) {
     data list{data::type::list};
     for (const DemoPicture& picture : demo.pictures) {
         data entry;
-        entry.set("file", picture.file);
-        entry.set("title", picture.title);
-        entry.set("text", picture.text);
-        if (!picture.function.empty()) entry.set("function", picture.function);
+        entry.set("file", picture.words.file);
+        entry.set("title", picture.words.title);
+        entry.set("text", paragraph(picture));
+        if (*picture.words.function) entry.set("function", picture.words.function);
         list << entry;
     }
     return list;
@@ -66,7 +75,7 @@ Image sheet(const Demo& demo) {
     std::vector<std::string> captions;
     for (const DemoPicture& picture : demo.pictures) {
         small.push_back(picture.image.shrunk(2));
-        captions.push_back(picture.caption);
+        captions.push_back(picture.words.caption);
     }
     return contactSheet(small, captions, sheetColumns);
 }
@@ -77,7 +86,7 @@ std::filesystem::path writeDemo(const Demo& demo, const std::filesystem::path& f
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
-    for (const DemoPicture& picture : demo.pictures) writeImage(folder / picture.file, picture.image);
+    for (const DemoPicture& picture : demo.pictures) writeImage(folder / picture.words.file, picture.image);
     for (const DemoShot& shot : demo.shots) writeImage(folder / shot.file, shot.image);
     if (!demo.shots.empty()) writeImage(folder / "shots_strip.png", demo.strip);
     writeImage(folder / "contact_sheet.png", sheet(demo));

@@ -24,8 +24,9 @@ constexpr int pictureSize = 800;
 constexpr int stripShots = 5;
 constexpr double convergedShare = 0.02;
 constexpr int mostShots = 20000;
+const glm::vec3 marked(0.1f, 0.9f, 0.3f);
 
-std::string withCommas(long long number) {
+std::string withCommas(std::size_t number) {
     std::string digits = std::to_string(number);
     for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3)
         digits.insert(static_cast<std::size_t>(place), ",");
@@ -58,7 +59,6 @@ struct Setting {
     }
 
     std::string name() const { return resource.sceneFile.filename().string(); }
-    std::string patchCount() const { return withCommas(static_cast<long long>(mesh.patches.size())) + " patches"; }
 
     Resource resource;
     Scene scene;
@@ -66,9 +66,9 @@ struct Setting {
     View view;
 };
 
-Image notWrittenYet(const std::string& function) {
+// A picture of a word or two in place of one that could not be made.
+Image notice(const std::string& first, const std::string& second) {
     Image image(pictureSize, pictureSize, glm::vec3(0.16f, 0.17f, 0.2f));
-    const std::string first = function, second = "is not written yet";
     writeText(image, (pictureSize - textWidth(first, 5)) / 2, 340, first, 5, glm::vec3(1.0f, 0.8f, 0.4f));
     writeText(image, (pictureSize - textWidth(second, 3)) / 2, 410, second, 3, glm::vec3(0.8f));
     return image;
@@ -93,23 +93,36 @@ public:
         hemicubePicture();
         hemicubeFormFactors();
         shadows();
-        demo.seconds = watch.seconds();
-        return std::move(demo);
+        result.seconds = watch.seconds();
+        return std::move(result);
     }
 
 private:
-    // Adds a picture; a stub on the way ends in a picture that names it.
-    void add(DemoPicture picture, const std::function<Image(DemoPicture&)>& draw) {
+    using Outcome = DemoPicture::Outcome;
+    using Figures = std::map<std::string, std::string>;
+
+    // Adds a picture; where a function is a stub or goes wrong, one that says so.
+    void add(const DemoText& words, const std::function<Image(Figures&)>& draw) {
+        DemoPicture picture{words, {}, {}, Outcome::made, ""};
         try {
-            picture.image = draw(picture);
+            picture.image = draw(picture.figures);
         } catch (const NotImplemented& stub) {
-            picture.image = notWrittenYet(stub.function());
-            picture.written = false;
-            picture.text =
-                stub.function() + " is not written yet. Write it in exercises/ProgRef.cpp and run the demo again.";
+            picture.image = notice(stub.function(), "is not written yet");
+            picture.outcome = Outcome::notWritten;
+            picture.problem = stub.what();
+        } catch (const Error& error) {
+            picture.image = notice("went wrong", "the page says how");
+            picture.outcome = Outcome::failed;
+            picture.problem = error.what();
         }
         report(picture);
-        demo.pictures.push_back(std::move(picture));
+        result.pictures.push_back(std::move(picture));
+    }
+
+    // Makes the scene the course's, as it is before the first shot.
+    static void begin(Setting& setting) {
+        setting.mesh.publish();
+        setting.mesh.reset();
     }
 
     static Progressive shotsOf(Setting& setting) {
@@ -118,47 +131,30 @@ private:
     }
 
     void meshPicture() {
-        add({"01_patches.png", "The scene is cut into patches", "patches", "", "", {}}, [this](DemoPicture& picture) {
-            plain.mesh.publish();
-            picture.text = plain.name() + " is cut into " + plain.patchCount() +
-                           ". Each is taken to have one radiosity all over. "
-                           "Patches of one face share their vertices, so colours can be smoothed over a face, but "
-                           "never across an edge.";
+        add(demo::patches, [this](Figures& figures) {
+            begin(plain);
+            figures = {{"scene", plain.name()}, {"patches", withCommas(plain.mesh.patches.size())}};
             return drawWireframe(plain.view);
         });
     }
 
     void brightestPicture() {
-        add({"02_brightest.png",
-             "Stage 1: the patch with the most unshot power",
-             "1 maxenergy_patch",
-             "maxenergy_patch",
-             "",
-             {}},
-            [this](DemoPicture& picture) {
-                plain.mesh.publish();
-                plain.mesh.reset();
-                const int shots = afterTheLight(plain);
-                const MyPolygon* brightest = maxenergy_patch();
-                if (!brightest) throw Error({plain.scene.file}, "maxenergy_patch found no patch");
-                const float most = unshotPower(*brightest);
-                picture.text =
-                    "Unshot power, from black to pale yellow, " +
-                    (shots > 0 ? "after " + std::to_string(shots) + " shots from the light"
-                               : std::string("before the first shot")) +
-                    ". The patch with the most, in green, shoots next: this order makes the picture good early.";
-                return drawColors(plain.view, [=](std::size_t i) {
-                    return polygons[i] == brightest ? glm::vec3(0.1f, 0.9f, 0.3f)
-                                                    : heatColor(unshotPower(*polygons[i]) / most);
-                });
+        add(demo::brightest, [this](Figures& figures) {
+            figures["shots"] = std::to_string(shootTheLight(plain));
+            const MyPolygon* brightest = maxenergy_patch();
+            if (!brightest) throw Error("maxenergy_patch: found nullptr, expected a patch");
+            const float most = unshotPower(*brightest);
+            return drawColors(plain.view, [=](std::size_t i) {
+                return polygons[i] == brightest ? marked : heatColor(unshotPower(*polygons[i]) / most);
             });
+        });
     }
 
-    // Shoots all patches of the light, where stages 2 and 3 are written; else leaves the scene as it is.
-    int afterTheLight(Setting& setting) {
+    // Shoots all patches of the light, where that is written yet, else leaves the scene as it is.
+    static int shootTheLight(Setting& setting) {
+        Progressive solver = shotsOf(setting);
         const auto lights = std::count_if(polygons.begin(), polygons.end(),
                                           [](const MyPolygon* p) { return p->emissive != Vec3f(0.0f); });
-        Progressive solver = shotsOf(setting);
         try {
             while (solver.progress().shots < lights && solver.shoot()) {
             }
@@ -169,164 +165,90 @@ private:
     }
 
     void analyticFormFactors() {
-        add({"03_analytic_form_factors.png",
-             "Stage 2: form factors by formula",
-             "2 calcAnalyticalFF",
-             "calcAnalyticalFF",
-             "",
-             {}},
-            [this](DemoPicture& picture) {
-                plain.mesh.publish();
-                plain.mesh.reset();
-                const MyPolygon* shooter = calcAnalyticalFF();
-                picture.text =
-                    "Form factors from one patch of the light to every other patch, on a logarithmic scale, in a room "
-                    "without "
-                    "blocks. They sum to " +
-                    decimal(sumOfFormFactors(), 3) +
-                    "; what is missing to 1 leaves through the open front. The formula sees nothing that stands in "
-                    "between.";
-                return formFactorPicture(plain, shooter);
-            });
+        add(demo::analyticFormFactors, [this](Figures& figures) {
+            begin(plain);
+            return formFactorPicture(plain, calcAnalyticalFF(), figures);
+        });
     }
 
-    static double sumOfFormFactors() {
+    static Image formFactorPicture(const Setting& setting, const MyPolygon* shooter, Figures& figures) {
         double sum = 0.0;
         for (const MyPolygon* patch : polygons) sum += static_cast<double>(patch->formF);
-        return sum;
-    }
-
-    static Image formFactorPicture(const Setting& setting, const MyPolygon* shooter) {
+        figures["sum"] = decimal(sum, 3);
         return drawColors(setting.view, [shooter](std::size_t i) {
-            return polygons[i] == shooter ? glm::vec3(0.1f, 0.9f, 0.3f) : formFactorColor(polygons[i]->formF);
+            return polygons[i] == shooter ? marked : formFactorColor(polygons[i]->formF);
         });
     }
 
     void firstShots() {
-        add({"04_first_shots.png",
-             "Stage 3: the first shots",
-             "3 distributeEnergy, first shots",
-             "distributeEnergy",
-             "",
-             {}},
-            [this](DemoPicture& picture) {
-                plain.mesh.publish();
-                plain.mesh.reset();
-                const int shots = afterTheLight(plain);
-                if (shots == 0) distributeEnergy(maxenergy_patch());
-                colorReconstruction();
-                const Image radiance = drawRadiance(plain.view, Shading::flat);
-                picture.text = "After " + std::to_string(shots) +
-                               " shots all patches of the light have shot once: this is direct light. "
-                               "The ceiling is black, since nothing has reached it yet.";
-                return toneMap(radiance, autoExposure(radiance));
-            });
+        add(demo::firstShots, [this](Figures& figures) {
+            const int shots = shootTheLight(plain);
+            if (shots == 0) distributeEnergy(maxenergy_patch());
+            figures["shots"] = std::to_string(shots);
+            colorReconstruction();
+            const Image radiance = drawRadiance(plain.view, Shading::flat);
+            return toneMap(radiance, autoExposure(radiance));
+        });
     }
 
     void convergedAnalytic() {
-        Image smooth;
-        std::string figures;
-        add({"05_flat.png", "Stages 3 and 4: converged, flat", "3 + 4 converged, flat", "colorReconstruction", "", {}},
-            [&](DemoPicture& picture) {
-                const Progress progress = solve(plain, "analytic", {});
-                const Image radiance = drawRadiance(plain.view, Shading::flat);
-                const float exposure = autoExposure(radiance);
-                smooth = toneMap(drawRadiance(plain.view, Shading::smooth), exposure);
-                figures = withCommas(progress.shots) + " shots in " + durationText(progress.seconds);
-                picture.text =
-                    "After " + figures + ", " + percent(progress.unshotShare) +
-                    " of the light's power is still unshot. Light that bounced off the red and green walls colours the "
-                    "floor, the ceiling and the back wall near them. Every patch has its radiance, rad / pi.";
-                return toneMap(radiance, exposure);
-            });
-        add({"06_smooth.png",
-             "Stage 4: the same, smooth",
-             "4 colorReconstruction, smooth",
-             "colorReconstruction",
-             "",
-             {}},
-            [&](DemoPicture& picture) {
-                if (smooth.empty())
-                    throw NotImplemented(demo.pictures.back().text.substr(0, demo.pictures.back().text.find(' ')));
-                picture.text =
-                    "The same radiosities, averaged at the vertices and interpolated over each patch (Gouraud). Edges "
-                    "of the room stay "
-                    "sharp, since faces do not share vertices.";
-                return smooth;
-            });
+        bool solved = false;
+        const auto solvedPicture = [&](Shading shading, Figures& figures) {
+            if (!solved) figures = figuresOf(solve(plain, "analytic", {}));
+            solved = true;
+            const float exposure = autoExposure(drawRadiance(plain.view, Shading::flat));
+            return toneMap(drawRadiance(plain.view, shading), exposure);
+        };
+        add(demo::flat, [&](Figures& figures) { return solvedPicture(Shading::flat, figures); });
+        add(demo::smooth, [&](Figures& figures) { return solvedPicture(Shading::smooth, figures); });
+    }
+
+    static Figures figuresOf(const Progress& progress) {
+        return {{"shots", withCommas(static_cast<std::size_t>(progress.shots))},
+                {"seconds", durationText(progress.seconds)},
+                {"unshot", percent(progress.unshotShare)}};
     }
 
     void idPicture() {
-        add({"07_patch_ids.png", "Stage 5: patches drawn as their IDs", "5 renderPatchIDs", "renderPatchIDs", "", {}},
-            [this](DemoPicture& picture) {
-                blocks.mesh.publish();
-                blocks.mesh.reset();
-                Hemicube probe(16);
-                probe.renderScene(blocks.view.camera.position, blocks.view.camera.up, blocks.view.camera.direction,
-                                  renderPatchIDs);
-                picture.text = blocks.name() + ", " + blocks.patchCount() +
-                               ". Each patch is drawn in the colour that is its number, so that a "
-                               "pixel tells which patch it shows; here neighbouring numbers have colours that the eye "
-                               "can tell apart.";
-                return drawColors(blocks.view, [](std::size_t i) { return idColor(i + 1); });
-            });
+        add(demo::patchIds, [this](Figures& figures) {
+            begin(blocks);
+            figures = {{"scene", blocks.name()}, {"patches", withCommas(blocks.mesh.patches.size())}};
+            return drawIds(blocks.view, renderPatchIDs);
+        });
     }
 
     void hemicubePicture() {
-        add({"08_hemicube.png", "Stage 6: what a patch of the light sees", "6 hemicube, unfolded", "calcFF", "", {}},
-            [this](DemoPicture& picture) {
-                blocks.mesh.publish();
-                blocks.mesh.reset();
-                Hemicube hemicube(pictureSize / 2);
-                calcFF(&hemicube);
-                picture.text =
-                    "The hemicube over a patch of the light, its five faces unfolded: the square in the middle looks "
-                    "straight down, at the "
-                    "two blocks, the four half faces look at the walls, and black is the open front. Adding up the "
-                    "delta form factor of every "
-                    "pixel that shows a patch gives the patch's form factor, and what is hidden gets none.";
-                return hemicubeIds(hemicube);
-            });
+        add(demo::hemicube, [this](Figures&) {
+            begin(blocks);
+            Hemicube hemicube(pictureSize / 2);
+            calcFF(&hemicube);
+            return hemicubeIds(hemicube);
+        });
     }
 
     void hemicubeFormFactors() {
-        add({"09_hemicube_form_factors.png", "Stage 6: form factors with occlusion", "6 calcFF", "calcFF", "", {}},
-            [this](DemoPicture& picture) {
-                blocks.mesh.publish();
-                blocks.mesh.reset();
-                Hemicube hemicube(blocks.resource.hemicubeSize);
-                const MyPolygon* shooter = calcFF(&hemicube);
-                picture.text =
-                    "Form factors from one patch of the light, by hemicube, on the same scale as in stage 2. Behind "
-                    "the "
-                    "blocks they are 0: shadows. They sum to " +
-                    decimal(sumOfFormFactors(), 3) + ".";
-                return formFactorPicture(blocks, shooter);
-            });
+        add(demo::hemicubeFormFactors, [this](Figures& figures) {
+            begin(blocks);
+            Hemicube hemicube(blocks.resource.hemicubeSize);
+            return formFactorPicture(blocks, calcFF(&hemicube), figures);
+        });
     }
 
     void shadows() {
-        add({"10_shadows.png",
-             "All stages: shadows and colour bleeding",
-             "6 converged, with shadows",
-             "calcFF",
-             "",
-             {}},
-            [this](DemoPicture& picture) {
-                std::vector<std::pair<Progress, Image>> taken;
-                const Progress progress = solve(blocks, "hemicube", [&](const Progress& now) {
-                    if (isSnapshot(now.shots)) taken.emplace_back(now, radianceNow());
-                });
-                taken.emplace_back(progress, radianceNow());
-                const float exposure = autoExposure(taken.back().second);
-                for (const auto& [at, radiance] : taken) addShot(at, toneMap(radiance, exposure));
-                makeStrip();
-                picture.text = "The furnished box after " + withCommas(progress.shots) + " shots in " +
-                               durationText(progress.seconds) + ", " + percent(progress.unshotShare) +
-                               " unshot: soft shadows beside the blocks, red and green light on "
-                               "their sides, and a ceiling that is lit by the floor alone.";
-                return demo.shots.back().image;
+        add(demo::shadows, [this](Figures& figures) {
+            std::vector<std::pair<Progress, Image>> taken;
+            const Progress progress = solve(blocks, "hemicube", [&](const Progress& now) {
+                if (isSnapshot(now.shots)) taken.emplace_back(now, radianceNow());
             });
+            if (taken.empty() || taken.back().first.shots != progress.shots)
+                taken.emplace_back(progress, radianceNow());
+            const float exposure = autoExposure(taken.back().second);
+            for (const auto& [at, radiance] : taken) addShot(at, toneMap(radiance, exposure));
+            makeStrip();
+            figures = figuresOf(progress);
+            figures["scene"] = blocks.name();
+            return result.shots.back().image;
+        });
     }
 
     // 1, 2, 5, 10, 20, 50, 100, …
@@ -343,20 +265,20 @@ private:
     void addShot(const Progress& at, Image image) {
         char name[32];
         std::snprintf(name, sizeof name, "shots_%05d.png", at.shots);
-        demo.shots.push_back({at.shots, at.unshotShare, name, std::move(image)});
+        result.shots.push_back({at.shots, at.unshotShare, name, std::move(image)});
     }
 
     // 1, 10, 100, … and the last, side by side.
     void makeStrip() {
         std::vector<Image> pictures;
         std::vector<std::string> titles;
-        for (const DemoShot& shot : demo.shots) {
+        for (const DemoShot& shot : result.shots) {
             const bool power = std::pow(10.0, std::round(std::log10(shot.shots))) == shot.shots;
-            if (!power && &shot != &demo.shots.back()) continue;
+            if (!power && &shot != &result.shots.back()) continue;
             pictures.push_back(shot.image.shrunk(2));
-            titles.push_back(withCommas(shot.shots) + (shot.shots == 1 ? " shot" : " shots"));
+            titles.push_back(withCommas(static_cast<std::size_t>(shot.shots)) + (shot.shots == 1 ? " shot" : " shots"));
         }
-        demo.strip = contactSheet(pictures, titles, std::max<int>(stripShots, static_cast<int>(pictures.size())));
+        result.strip = contactSheet(pictures, titles, std::max<int>(stripShots, static_cast<int>(pictures.size())));
     }
 
     Progress solve(Setting& setting, const std::string& name, const std::function<void(const Progress&)>& each) {
@@ -376,7 +298,7 @@ private:
 
     Setting plain, blocks;
     std::function<void(const DemoPicture&)> report;
-    Demo demo;
+    Demo result;
 };
 
 }  // namespace

@@ -2,22 +2,24 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "apps/DemoText.h"
 #include "base/Image.h"
 
 namespace radlab {
 
 /// A picture of the demo and what it shows.
 struct DemoPicture {
-    std::string file;      ///< name inside the demo's folder
-    std::string title;     ///< for the page
-    std::string caption;   ///< short, ASCII, for the contact sheet
-    std::string function;  ///< the course's function that it shows, or empty
-    std::string text;      ///< one paragraph, filled in with the run's figures
+    enum class Outcome { made, notWritten, failed };
+
+    DemoText words;
+    std::map<std::string, std::string> figures;  ///< what fills in the text's {{…}}
     Image image;
-    bool written = true;  ///< false where the function is a stub
+    Outcome outcome = Outcome::made;
+    std::string problem;  ///< what went wrong, where it was not made
 };
 
 /// A picture of the solution after some shots.
@@ -38,7 +40,7 @@ struct Demo {
 
 /// Runs the six functions, stage by stage, on the empty and the furnished scene.
 ///
-/// A stub ends its stage with a picture that says so; the others go on.
+/// A stub, or a function that leaves something impossible behind, ends its stage with a picture that says so; the others go on.
 ///
 /// @param empty, furnished settings files (Resource.xml)
 /// @param report called with each picture when it is ready

@@ -8,6 +8,26 @@
 #include "base/Program.h"
 #include "gl/Context.h"
 
+namespace {
+
+void tell(const radlab::DemoPicture& picture) {
+    static constexpr const char* outcomes[] = {"made     ", "not yet  ", "failed   "};
+    std::cout << outcomes[static_cast<int>(picture.outcome)] << picture.words.title
+              << (picture.problem.empty() ? "" : ": ") << picture.problem << std::endl;
+}
+
+// Where to go on: the first stage that could not be made, or the page.
+void tellNextStep(const radlab::Demo& demo, const std::string& page) {
+    std::cout << "open " << page << '\n';
+    for (const radlab::DemoPicture& picture : demo.pictures) {
+        if (picture.problem.empty()) continue;
+        std::cout << "next: " << picture.problem << "; see exercises/ProgRef.cpp\n";
+        return;
+    }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     CLI::App flags("Runs the six functions stage by stage and writes pictures and a page that shows them.");
     std::string out = "out/demo";
@@ -27,10 +47,8 @@ int main(int argc, char** argv) {
     }
     return radlab::runProgram([&] {
         const auto context = radlab::GlContext::offscreen();
-        const radlab::Demo demo = radlab::makeDemo(empty, furnished, [](const radlab::DemoPicture& picture) {
-            std::cout << (picture.written ? "made     " : "not yet  ") << picture.title << std::endl;
-        });
-        std::cout << "open " << radlab::writeDemo(demo, out).string() << '\n';
+        const radlab::Demo demo = radlab::makeDemo(empty, furnished, tell);
+        tellNextStep(demo, radlab::writeDemo(demo, out).string());
         return 0;
     });
 }

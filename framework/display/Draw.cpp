@@ -8,6 +8,7 @@
 
 #include "base/Error.h"
 #include "course/ViewDepth.h"
+#include "display/FalseColor.h"
 #include "display/ToneMap.h"
 #include "gl/Context.h"
 #include "gl/Framebuffer.h"
@@ -50,21 +51,26 @@ Image readImage(const Framebuffer& framebuffer) {
     return image;
 }
 
+// Makes the framebuffer ready for colours that arrive as they are, and clears it.
+void beginDrawing(const View& view, const Framebuffer& framebuffer, const glm::vec3& background) {
+    framebuffer.bind();
+    setIdPassState();
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, framebuffer.width(), framebuffer.height());
+    glClearColor(background.r, background.g, background.b, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    setCamera(view);
+}
+
 Image drawInto(const View& view, const std::function<void()>& draw) {
     RADLAB_CHECK(view.samples >= 1);
     const SavedState saved;
     const Framebuffer framebuffer(view.width * view.samples, view.height * view.samples, Framebuffer::Color::floats);
-    framebuffer.bind();
-    setIdPassState();
+    beginDrawing(view, framebuffer, view.background);
     turnClampingOff();
     glShadeModel(GL_SMOOTH);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
-    glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, framebuffer.width(), framebuffer.height());
-    glClearColor(view.background.r, view.background.g, view.background.b, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    setCamera(view);
     draw();
     return readImage(framebuffer).shrunk(view.samples);
 }
@@ -126,6 +132,20 @@ Image drawRadiance(const View& view, Shading shading) {
 
 Image drawColors(const View& view, const std::function<glm::vec3(std::size_t)>& color) {
     return drawInto(view, [&] { drawFlat(color); });
+}
+
+Image drawIds(const View& view, const std::function<void()>& draw) {
+    SavedState saved;
+    const Framebuffer framebuffer(view.width * view.samples, view.height * view.samples, Framebuffer::Color::bytes);
+    beginDrawing(view, framebuffer, glm::vec3(0.0f));
+    draw();
+    saved.checkBalance();
+    Image image = readImage(framebuffer);
+    for (glm::vec3& pixel : image.data()) {
+        const glm::ivec3 bytes(glm::round(pixel * 255.0f));
+        pixel = idColor(static_cast<std::size_t>(bytes.r << 16 | bytes.g << 8 | bytes.b));
+    }
+    return image.shrunk(view.samples);
 }
 
 Image drawWireframe(const View& view) {

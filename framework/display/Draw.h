@@ -38,6 +38,13 @@ Image drawRadiance(const View& view, Shading shading);
 /// @pre as drawRadiance
 Image drawColors(const View& view, const std::function<glm::vec3(std::size_t i)>& color);
 
+/// Draws patch IDs with the given function and shows every ID that comes back in its false colour.
+///
+/// @param draw what the course calls renderPatchIDs
+/// @pre as drawRadiance
+/// @return ready for display
+Image drawIds(const View& view, const std::function<void()>& draw);
+
 /// Draws the outlines of the patches over their reflectance, hidden lines removed, ready for display.
 ///
 /// @pre as drawRadiance

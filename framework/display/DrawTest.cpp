@@ -63,6 +63,25 @@ TEST_CASE("smooth shading runs linearly from vertex to vertex, without a diagona
         }
 }
 
+TEST_CASE("the ID view shows what the drawing function drew, each ID in its false colour") {
+    const auto context = GlContext::offscreen();
+    const auto mesh = squareMesh(1.0f);
+    const auto drawAs = [](int id) {
+        return [id] {
+            glColor3ub((id >> 16) & 255, (id >> 8) & 255, id & 255);
+            glBegin(GL_QUADS);
+            for (const int k : polygons[0]->vertex) glVertex3fv(&vertices[k]->position[0]);
+            glEnd();
+        };
+    };
+    for (const int id : {1, 77, 256, 65537}) {
+        const Image image = drawIds(viewOfSquare(), drawAs(id));
+        CHECK(image.at(20, 20) == idColor(static_cast<std::size_t>(id)));
+        CHECK(image.at(2, 2) == glm::vec3(0.0f));
+    }
+    CHECK_THROWS_AS(drawIds(viewOfSquare(), [] { glBegin(GL_QUADS); }), Error);
+}
+
 TEST_CASE("a patch is not seen from its back") {
     const auto context = GlContext::offscreen();
     Faces faces;

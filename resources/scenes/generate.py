@@ -343,6 +343,11 @@ def face_set(faces: list[Polygon], **attributes: str) -> Lines:
     return element("IndexedFaceSet", fields, element("Coordinate", {"point": wrapped(points, 4)}))
 
 
+def wall_set(faces: list[Polygon]) -> Lines:
+    """The faces of one wall; where it is cut, shading stays smooth over the cuts."""
+    return face_set(faces, creaseAngle="0.1") if len(faces) > 1 else face_set(faces)
+
+
 def shape(appearance: Lines, geometry: Lines, name: str | None = None) -> Lines:
     """A Shape node."""
     return element("Shape", {"DEF": name} if name else {}, appearance, geometry)
@@ -453,7 +458,7 @@ def cornell(purpose: str, *blocks: tuple[str, str, list[Polygon]]) -> str:
     }
     names = {"z1": "back", "x0": "right", "x1": "left"}
     walls = [
-        shape(palette.appearance(material), face_set(room[wall_]), names.get(wall_, wall_))
+        shape(palette.appearance(material), wall_set(room[wall_]), names.get(wall_, wall_))
         for wall_, material in materials.items()
     ]
     things = [shape(palette.appearance(material), face_set(faces), name) for name, material, faces in blocks]
@@ -616,7 +621,7 @@ The pot stands {number(TEAPOT_LIFT)} over the floor, so that no face touches it.
         "light": ("light", "light"),
     }
     walls = [
-        shape(palette.appearance(material), face_set(room[key]), name)
+        shape(palette.appearance(material), wall_set(room[key]), name)
         for key, (name, material) in materials.items()
     ]
     pot = element(
@@ -646,7 +651,7 @@ sum to 1, but on the floor under a block.
     )
     room = room_with_ceiling_light([[0.0, 1.4, 2.6, 4.0], [0.0, 2.8], [0.0, 1.4, 2.6, 5.0]])
     walls = [
-        shape(palette.appearance("wall"), face_set(room[key]), f"wall_{key}")
+        shape(palette.appearance("wall"), wall_set(room[key]), f"wall_{key}")
         for key in ("x0", "x1", "z0", "z1")
     ]
     unit = face_set(block(rectangle(-0.5, 0.5, -0.5, 0.5), 1.0), DEF="unit_block")
@@ -656,10 +661,10 @@ sum to 1, but on the floor under a block.
     return document(
         comment,
         view,
-        shape(palette.appearance("floor"), face_set(room["floor"]), "floor"),
+        shape(palette.appearance("floor"), wall_set(room["floor"]), "floor"),
         *walls,
-        shape(palette.appearance("ceiling"), face_set(room["ceiling"]), "ceiling"),
-        shape(palette.appearance("light"), face_set(room["light"]), "light"),
+        shape(palette.appearance("ceiling"), wall_set(room["ceiling"]), "ceiling"),
+        shape(palette.appearance("light"), wall_set(room["light"]), "light"),
         placed(table, (1.2, 0.0, 2.0), 0.4, (1.2, 0.75, 0.8)),
         placed(cabinet, (3.1, 0.0, 1.0), -0.3, (0.6, 1.8, 0.6)),
     )
