@@ -13,7 +13,7 @@ function(radlab_test_files name files)
 endfunction()
 
 # What holds for any right solution is held against both; the rest is each one's own.
-set(any_solution solutions/ProgRefTest.cpp solutions/ClosedFormTest.cpp solutions/ClosedSceneTest.cpp)
+set(any_solution solutions/ProgRefTest.cpp solutions/DrawingStagesTest.cpp solutions/ClosedFormTest.cpp solutions/ClosedSceneTest.cpp)
 radlab_submission(older-style solutions/OlderStyle.cpp)
 radlab_test_files(solution-test "${any_solution};solutions/EnergyTest.cpp;solutions/SelfCheckTest.cpp"
   radlab_solver radlab_solution ${RADLAB_OFFSCREEN})

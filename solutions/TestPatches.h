@@ -38,4 +38,14 @@ inline MyPolygon* onlyShooter(std::size_t index, const Vec3f& unshot = Vec3f(1.0
     return polygons[index];
 }
 
+/// A room with a triangle in it, in quadrilateral and triangular patches.
+inline std::unique_ptr<PatchMesh> roomWithTriangle() {
+    Faces faces;
+    faces.addRoom(Vec3f(0), Vec3f(1), material(Vec3f(0.5f)));
+    faces.add({{0.3f, 0.6f, 0.4f}, {0.7f, 0.6f, 0.4f}, {0.5f, 0.6f, 0.8f}});
+    auto mesh = faces.mesh(0.25f);
+    mesh->publish();
+    return mesh;
+}
+
 }  // namespace radlab::test

@@ -1,6 +1,7 @@
 #include "course/FacePolygon.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 namespace radlab {
@@ -74,14 +75,30 @@ void dropStraightCorners(Polygon2& polygon) {
 
 }  // namespace
 
-glm::dvec3 areaVector(const std::vector<glm::dvec3>& corners) {
+double diameter(const Corners& corners) {
+    double largest = 0.0;
+    for (const glm::dvec3& a : corners)
+        for (const glm::dvec3& b : corners) largest = std::max(largest, glm::distance(a, b));
+    return largest;
+}
+
+double floatResolution(const Corners& corners) {
+    double farthest = 0.0;
+    for (const glm::dvec3& corner : corners)
+        for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(corner[axis]));
+    return 2.0 * FLT_EPSILON * farthest;
+}
+
+bool hasNoArea(const Corners& corners, double area) { return area <= floatResolution(corners) * diameter(corners); }
+
+glm::dvec3 areaVector(const Corners& corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
     return 0.5 * sum;
 }
 
-glm::dvec3 areaCentroid(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal) {
+glm::dvec3 areaCentroid(const Corners& corners, const glm::dvec3& normal) {
     glm::dvec3 moment(0.0);
     double area = 0.0;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {

@@ -8,17 +8,27 @@
 
 namespace radlab {
 
+using Corners = std::vector<glm::dvec3>;
 using Polygon2 = std::vector<glm::dvec2>;
+
+/// The largest distance between two corners.
+double diameter(const Corners& corners);
+
+/// The length below which float coordinates of that size cannot tell places apart.
+double floatResolution(const Corners& corners);
+
+/// Whether a polygon of that area is thinner than what float coordinates of its size and place can tell apart.
+bool hasNoArea(const Corners& corners, double area);
 
 /// The area vector of a closed polygon: normal times area, counter-clockwise positive.
 ///
 /// @source Newell's method [SutherlandHodgman1974, appendix]
-glm::dvec3 areaVector(const std::vector<glm::dvec3>& corners);
+glm::dvec3 areaVector(const Corners& corners);
 
 /// Centroid of the area of a planar polygon with the given unit normal, convex or not.
 ///
 /// @pre the area is not 0
-glm::dvec3 areaCentroid(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal);
+glm::dvec3 areaCentroid(const Corners& corners, const glm::dvec3& normal);
 
 /// Signed area of a polygon in the plane, counter-clockwise positive.
 double signedArea(const Polygon2& polygon);

@@ -21,6 +21,12 @@ float totalArea(const PatchMesh& mesh) {
     return static_cast<float>(sum);
 }
 
+std::size_t unusedVertices(const PatchMesh& mesh) {
+    std::set<int> used;
+    for (const MyPolygon& patch : mesh.patches) used.insert(patch.vertex, patch.vertex + patch.vertices);
+    return mesh.corners.size() - used.size();
+}
+
 PatchMesh meshOf(const std::vector<Vec3f>& corners, float size) {
     Faces faces;
     faces.add(corners);
@@ -78,6 +84,7 @@ TEST_CASE("a larger polygon is cut to cells, concave or not, and loses no area")
             CAPTURE(size);
             const PatchMesh mesh = meshOf(corners, size);
             CHECK(totalArea(mesh) == Approx(area).epsilon(1e-5));
+            CHECK(unusedVertices(mesh) == 0);
             for (const MyPolygon& patch : mesh.patches) {
                 CHECK(patch.normal == Vec3f(0, 0, 1));
                 CHECK(patch.area <= size * size * 2.3f);
@@ -177,6 +184,12 @@ TEST_CASE("faces that cannot be patches are refused with their place in the file
     CHECK(errorOf({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0.0f}, {0.5f, 3, 0}}).find("crosses itself") !=
           std::string::npos);
     CHECK(errorOf(square(0, true), 1e-5f).find("test.x3d:1: too many patches") == 0);
+}
+
+TEST_CASE("far from the origin, a face may be as far off its plane as float coordinates are coarse") {
+    const float far = 1e6f;
+    CHECK(meshOf({{far, far, far}, {far + 8, far, far}, {far + 8, far + 8, far + 0.0625f}, {far, far + 8, far}}, 1.0f)
+              .patches.size() == 64);
 }
 
 TEST_CASE("faces without area are passed over with one warning that counts them") {
