@@ -10,7 +10,7 @@ namespace radlab {
 /// units of the cube's half edge. Each is sampled at the pixel's centre; all are then scaled by one factor so
 /// that they sum to 1 (1.00001 before at size 256). The unused corners have 0.
 ///
-/// @source [CohenGreenberg1985, section 4]
+/// @source [CohenGreenberg1985]
 std::vector<float> deltaFormFactors(int size);
 
 }  // namespace radlab

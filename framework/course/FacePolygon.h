@@ -22,7 +22,6 @@ bool hasNoArea(const Corners& corners, double area);
 
 /// The area vector of a closed polygon: normal times area, counter-clockwise positive.
 ///
-/// @source Newell's method [SutherlandHodgman1974, appendix]
 glm::dvec3 areaVector(const Corners& corners);
 
 /// Centroid of the area of a planar polygon with the given unit normal, convex or not.

@@ -60,7 +60,7 @@ public:
     /// Sampled at the pixel's centre, scaled so that the sum over all pixels is 1; 0 in the corners.
     ///
     /// @pre    x and y from 0 to rendersize - 1, else an Error
-    /// @source [CohenGreenberg1985, section 4]
+    /// @source [CohenGreenberg1985]
     float getDeltaFormFactor(int x, int y) const { return deltas[position(x, y)]; }
 
     const int rendersize;  ///< the buffer's edge in pixels, 2·size

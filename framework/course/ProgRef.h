@@ -32,7 +32,7 @@ using radlab::NotImplemented;
 ///
 /// @return nullptr where there are no patches
 /// @cost   linear in the number of patches
-/// @source [Cohen1988, section 4]
+/// @source [Cohen1988]
 MyPolygon* maxenergy_patch();
 
 /// Stage 2. Form factors from the brightest patch to every patch, by the point to point formula.
@@ -42,7 +42,7 @@ MyPolygon* maxenergy_patch();
 /// @return the shooter s, or nullptr where there are no patches
 /// @post   polygons[j]->formF = F(s→j) = max(cosθs,0)·max(cosθj,0)·Aj/(π r²): no unit, >= 0, 0 for the shooter
 /// @cost   linear in the number of patches
-/// @source [CohenWallace1993, section 4.2]
+/// @source [CohenWallace1993, chapter 4]
 MyPolygon* calcAnalyticalFF();
 
 /// Stage 3. Shoots the unshot radiosity of maxP over all patches, by their form factors.
@@ -51,7 +51,7 @@ MyPolygon* calcAnalyticalFF();
 /// @post   every other patch j has ΔBj = ρj·ΔBs·F(s→j)·As/Aj added to rad and unshot_rad; that of maxP is shot: 0
 /// @return false where maxP is nullptr, else true
 /// @cost   linear in the number of patches
-/// @source [Cohen1988, section 4]
+/// @source [Cohen1988]
 bool distributeEnergy(MyPolygon* maxP);
 
 /// Stage 4. Turns radiosities into colours to display.
@@ -59,7 +59,7 @@ bool distributeEnergy(MyPolygon* maxP);
 /// @post   polygons[i]->color = B/π, the radiance of patch i in W/(m² sr) per channel; vertices[k]->color the mean colour
 ///         of the patches that share vertex k, colorcount their number, rad their mean radiosity; 0 where none does
 /// @cost   linear in the number of patches
-/// @source [Gouraud1971]; [CohenWallace1993, section 9.2] nodal averaging
+/// @source [Gouraud1971]; [CohenWallace1993, chapter 9] nodal averaging
 void colorReconstruction();
 
 /// Stage 5. Draws every patch in the colour that is its ID, for Hemicube::getIndex.

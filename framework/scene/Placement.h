@@ -29,7 +29,7 @@ glm::dmat3 readRotation(const X3dNode& node, const char* field);
 /// The placement that a Transform gives to its children: T C R SR S -SR -C.
 ///
 /// @throws Error for wrong fields and a scale of 0, which would flatten the children
-/// @source ISO/IEC 19775-1, 10.4.4 Transform
+/// @source [X3D, section 10.4.4] Transform
 Placement readTransform(const X3dNode& node);
 
 /// A point in the outer system; coordinates may be infinite where they are too large for a float.

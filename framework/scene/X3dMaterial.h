@@ -11,7 +11,7 @@ namespace radlab {
 ///
 /// @throws Error for a diffuse or specular colour, shininess or transparency outside 0 to 1, and for an
 ///         emission that is negative
-/// @source ISO/IEC 19775-1, 12.4.4 Material
+/// @source [X3D, section 12.4.4] Material
 Material readMaterial(const X3dNode& node);
 
 }  // namespace radlab

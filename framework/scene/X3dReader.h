@@ -29,7 +29,7 @@ struct X3dLimits {
 /// @return a scene of at least one face, every index in range, every number finite
 /// @throws Error with the line of the element, for a file that is missing, not XML, wrong, or without any face
 /// @cost   one pass over the file, one over the nodes with each USE written out
-/// @source ISO/IEC 19775-1 (X3D), ISO/IEC 19776-1 (its XML encoding)
+/// @source [X3D]; ISO/IEC 19776-1, its XML encoding
 Scene readX3d(const std::filesystem::path& file);
 
 /// Reads a scene from the text of an X3D file, like readX3d.

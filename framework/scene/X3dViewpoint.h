@@ -12,7 +12,7 @@ namespace radlab {
 /// angle with the direction.
 ///
 /// @throws Error for wrong fields, a field of view outside 0 to π, and a placement that loses the direction
-/// @source ISO/IEC 19775-1, 23.4.6 Viewpoint
+/// @source [X3D, section 23.4.6] Viewpoint
 Camera readViewpoint(const X3dNode& node, const Placement& placement);
 
 }  // namespace radlab

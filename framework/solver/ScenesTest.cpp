@@ -74,6 +74,14 @@ TEST_CASE("every scene is read without a warning and becomes patches, each with 
     CHECK(found.size() == scenes.size());
 }
 
+TEST_CASE("the settings files that are here can be read, and name scenes that are here") {
+    for (const char* name : {"Resource.xml", "demo/empty.xml", "demo/furnished.xml"}) {
+        CAPTURE(name);
+        const Resource resource = readResource(std::string(RADLAB_SOURCE_DIR "/resources/") + name);
+        CHECK(scenes.count(resource.sceneFile.stem().string()) == 1);
+    }
+}
+
 TEST_CASE("occlusion is found in the scenes that have it") {
     for (const auto& [name, expected] : scenes) {
         CAPTURE(name);
