@@ -16,7 +16,8 @@ TEST_CASE("every stub of the exercise says that it is not written yet, by its ow
         {"renderPatchIDs", [] { renderPatchIDs(); }},
         {"calcFF", [] { calcFF(nullptr); }}};
     for (const auto& [name, stub] : stubs) {
-        CAPTURE(name);
+        const std::string function = name;
+        CAPTURE(function);
         std::string thrown = "nothing";
         try {
             stub();

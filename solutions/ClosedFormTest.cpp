@@ -112,9 +112,6 @@ TEST_CASE("analytic: facing rectangles of many shapes match the closed form") {
     };
     for (const auto& [a, b, c] :
          {Line{1, 1, 0.5f}, Line{1, 1, 3}, Line{2, 1, 1}, Line{3, 0.5f, 1}, Line{1, 0.2f, 2}, Line{1, 1, 10}}) {
-        CAPTURE(a);
-        CAPTURE(b);
-        CAPTURE(c);
         const double found = error(factor(facing(a, b, c), 0.1f, calcAnalyticalFF), parallelFactor(a, b, c));
         MESSAGE("facing " << a << " x " << b << " at " << c << ": " << 100 * found << " %");
         CHECK(std::abs(found) < 6e-3);
@@ -127,9 +124,6 @@ TEST_CASE("analytic: rectangles that share an edge match the closed form, but fo
     };
     for (const auto& [width, height, edge] :
          {Line{1, 2, 1}, Line{2, 1, 1}, Line{1, 1, 4}, Line{0.5f, 1, 1}, Line{3, 1, 2}}) {
-        CAPTURE(width);
-        CAPTURE(height);
-        CAPTURE(edge);
         const double found = error(factor(corner(width, height, edge), 0.05f, calcAnalyticalFF),
                                    perpendicularFactor(width, height, edge));
         MESSAGE("corner " << width << " and " << height << ", edge " << edge << ": " << 100 * found << " %");

@@ -84,7 +84,8 @@ TEST_CASE("the settings files that are here can be read, and name scenes that ar
 
 TEST_CASE("occlusion is found in the scenes that have it") {
     for (const auto& [name, expected] : scenes) {
-        CAPTURE(name);
+        const std::string which = name;
+        CAPTURE(which);
         CHECK(findEffects(read(name)).occlusion == expected.occlusion);
     }
 }
@@ -102,7 +103,8 @@ TEST_CASE("light escapes from open scenes, and from closed ones not at all") {
     const auto context = GlContext::offscreen();
     for (const auto& [name, expected] : scenes) {
         if (name == "dark") continue;
-        CAPTURE(name);
+        const std::string which = name;
+        CAPTURE(which);
         const Scene scene = read(name);
         PatchMesh mesh = meshed(scene, expected.patchSize);
         Progressive solver(mesh, formFactorsBy(FormFactorMethod::hemicube, 64));

@@ -85,7 +85,8 @@ TEST_CASE("a hemicube in a window gives a closed cube's rows, whatever the windo
     for (const bool visible : {false, true})
         for (const auto& [width, height] : {std::pair{40, 30}, {1, 1}, {300, 200}}) {
             CAPTURE(visible);
-            CAPTURE(width);
+            const int columns = width;
+            CAPTURE(columns);
             Window window(width, height, "radlab test", visible);
             window.makeCurrent();
             Hemicube hemicube(64);
