@@ -7,6 +7,5 @@ extern "C" const char* __lsan_default_suppressions() {
            "leak:libGL\n"
            "leak:libLLVM\n"
            "leak:_dri.so\n"
-           "leak:libX11\n"
-           "leak:<unknown module>\n";  // a driver that GLFW has unloaded
+           "leak:libX11\n";
 }
