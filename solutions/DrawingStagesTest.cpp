@@ -75,7 +75,7 @@ TEST_CASE("stage 5: triangles are drawn as triangles") {
     int covered = 0;
     for (int y = 32; y < 96; ++y)
         for (int x = 32; x < 96; ++x) covered += hemicube.getIndex(x, y) == 1;
-    CHECK(covered == Approx(64 * 64 / 2).epsilon(0.02));
+    CHECK(covered == Approx(64 * 64 / 2.0).epsilon(0.02));
 }
 
 TEST_CASE("stage 5: only drawing is done: matrices and viewport stay, and no glBegin is left open") {

@@ -262,8 +262,8 @@ TEST_CASE("stage 4: a vertex has the mean colour and radiosity of the patches ro
         glm::dvec3 sum(0.0);
         int count = 0;
         for (const MyPolygon& patch : mesh->patches)
-            for (int corner = 0; corner < 4; ++corner)
-                if (patch.vertex[corner] == static_cast<int>(k)) {
+            for (const int corner : patch.vertex)
+                if (corner == static_cast<int>(k)) {
                     sum += glm::dvec3(patch.rad);
                     ++count;
                 }

@@ -75,7 +75,7 @@ Image sheet(const Demo& demo) {
     std::vector<std::string> captions;
     for (const DemoPicture& picture : demo.pictures) {
         small.push_back(picture.image.shrunk(2));
-        captions.push_back(picture.words.caption);
+        captions.emplace_back(picture.words.caption);
     }
     return contactSheet(small, captions, sheetColumns);
 }

@@ -66,7 +66,7 @@ TEST_CASE("more than all is all, and nothing to do is done") {
     std::ostringstream first, second;
     ProgressBar("work", 10, "", first, true).show(25);
     CHECK(first.str().find("[########################] 100 %") != std::string::npos);
-    CHECK(first.str().find("-") == std::string::npos);
+    CHECK(first.str().find('-') == std::string::npos);
     ProgressBar("work", 0, "", second, true).show(0);
     CHECK(second.str().find("[########################] 100 %") != std::string::npos);
 }

@@ -136,7 +136,7 @@ TEST_CASE("faces of a curved surface share vertices where they meet at less than
     CHECK(smooth->corners.size() == 2 * 6 - 3);
     for (const MyPolygon& patch : smooth->patches) {
         Vec3f centre(0.0f);
-        for (int k = 0; k < 4; ++k) centre += 0.25f * smooth->corners.at(patch.vertex[k]).position;
+        for (const int corner : patch.vertex) centre += 0.25f * smooth->corners.at(corner).position;
         CHECK(glm::distance(centre, patch.center) < 1e-6f);
     }
     Faces two = roof(1.6f, white);

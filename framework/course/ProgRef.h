@@ -3,7 +3,7 @@
 // Everything that exercises/ProgRef.cpp needs: the data of the patches, vectors, the hemicube and OpenGL.
 
 #ifndef _USE_MATH_DEFINES
-#define _USE_MATH_DEFINES
+#define _USE_MATH_DEFINES  // NOLINT(bugprone-reserved-identifier): for M_PI on Windows
 #endif
 
 #include <algorithm>

@@ -36,7 +36,7 @@ void fill(Image& image, int left, int top, int right, int bottom, const glm::vec
 }  // namespace
 
 void writeText(Image& image, int x, int y, const std::string& text, int scale, const glm::vec3& color) {
-    std::vector<FontVertex> corners(4 * 32 * (text.size() + 1));
+    std::vector<FontVertex> corners(std::size_t{4} * 32 * (text.size() + 1));
     std::string line = text;
     const int quads = stb_easy_font_print(0, 0, line.data(), nullptr, corners.data(),
                                           static_cast<int>(corners.size() * sizeof(FontVertex)));

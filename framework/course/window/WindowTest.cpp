@@ -34,7 +34,7 @@ void drawIds() {
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         glBegin(GL_QUADS);
         glColor3ub(0, ((i + 1) >> 8) & 255, (i + 1) & 255);
-        for (int k = 0; k < 4; ++k) glVertex3fv(&vertices[polygons[i]->vertex[k]]->position[0]);
+        for (const int corner : polygons[i]->vertex) glVertex3fv(&vertices[corner]->position[0]);
         glEnd();
     }
 }
