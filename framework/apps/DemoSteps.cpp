@@ -281,16 +281,27 @@ private:
         result.strip = contactSheet(pictures, titles, std::max<int>(stripShots, static_cast<int>(pictures.size())));
     }
 
-    Progress solve(Setting& setting, const std::string& name, const std::function<void(const Progress&)>& each) {
+    // How far the shots are from the wanted share, if unshot power goes on falling as over the last half of them.
+    static double doneShare(const std::vector<double>& unshotAfter) {
+        const std::size_t shots = unshotAfter.size();
+        const double now = unshotAfter.back(), before = unshotAfter[shots / 2];
+        const double fallPerShot = std::log(before / now) / static_cast<double>(std::max<std::size_t>(shots / 2, 1));
+        if (!(fallPerShot > 0.0)) return 0.0;
+        const double left = std::max(std::log(now / convergedShare), 0.0) / fallPerShot;
+        return static_cast<double>(shots) / (static_cast<double>(shots) + left);
+    }
+
+    static Progress solve(Setting& setting, const std::string& name, const std::function<void(const Progress&)>& each) {
         Progressive solver = shotsOf(setting);
-        // Unshot power falls about exponentially, so its logarithm tells how far the work is.
-        ProgressBar bar(name, std::log(1.0 / convergedShare), "");
+        ProgressBar bar(name, 1.0);
+        std::vector<double> unshotAfter = {1.0};
         Limits limits;
         limits.unshotShare = convergedShare;
         limits.shots = mostShots;
         return solver.run(limits, [&](const Progress& now) {
             if (each) each(now);
-            bar.show(std::log(1.0 / std::max(now.unshotShare, 1e-9)),
+            unshotAfter.push_back(now.unshotShare);
+            bar.show(doneShare(unshotAfter),
                      std::to_string(now.shots) + " shots, " + percent(now.unshotShare) + " unshot");
             return true;
         });
