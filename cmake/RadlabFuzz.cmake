@@ -2,23 +2,25 @@
 
 find_program(RADLAB_CLANGXX NAMES clang++ clang++-14)
 
-# Adds a test that feeds the readers for some seconds with changed copies of the seed corpus.
-function(radlab_fuzz_test name source seconds)
+# Adds a test that feeds the readers with that many changed copies of the seed corpus, the same ones on every new build.
+function(radlab_fuzz_test name source runs)
   cmake_parse_arguments(arg "" "CORPUS;DICTIONARY" "SOURCES" ${ARGN})
   if(NOT RADLAB_CLANGXX)
     radlab_missing("clang" "the short fuzz run is left out of the tests")
     return()
   endif()
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/framework/base/*.h ${PROJECT_SOURCE_DIR}/framework/course/*.h
+    ${PROJECT_SOURCE_DIR}/framework/scene/*.h)
   set(folder ${PROJECT_BINARY_DIR}/fuzz)
   set(program ${folder}/${name}-program)
   add_custom_command(OUTPUT ${program}
     COMMAND ${RADLAB_CLANGXX} -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
       -I${PROJECT_SOURCE_DIR}/framework -idirafter ${GLM_INCLUDE_DIR} ${source} ${arg_SOURCES}
       $<TARGET_FILE:tinyxml2::tinyxml2> -o ${program}
-    DEPENDS ${source} ${arg_SOURCES}
+    DEPENDS ${source} ${arg_SOURCES} ${headers}
     COMMENT "Building ${name} with clang and its sanitizers" VERBATIM)
   add_custom_target(${name} ALL DEPENDS ${program})
-  add_test(NAME "${name}: survives ${seconds} s of mutated input" COMMAND ${program} -max_total_time=${seconds} -timeout=10
-    -rss_limit_mb=2048 -print_final_stats=1 -dict=${arg_DICTIONARY} ${folder}/${name}-found ${arg_CORPUS})
+  add_test(NAME "${name}: survives ${runs} mutated inputs" COMMAND ${program} -runs=${runs} -seed=1 -timeout=60
+    -artifact_prefix=${folder}/ -rss_limit_mb=2048 -print_final_stats=1 -dict=${arg_DICTIONARY} ${folder}/${name}-found ${arg_CORPUS})
   file(MAKE_DIRECTORY ${folder}/${name}-found)
 endfunction()

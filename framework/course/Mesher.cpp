@@ -13,6 +13,7 @@ using namespace radlab;
 namespace {
 
 constexpr double planarTolerance = 1e-3;
+constexpr std::size_t mostCorners = 1024;  // cutting a concave polygon costs up to their cube
 
 void checkSize(float size, const std::string& name) {
     if (!std::isfinite(size) || size <= 0.0f)
@@ -20,6 +21,9 @@ void checkSize(float size, const std::string& name) {
 }
 
 Corners differentCorners(const std::vector<Vec3f>& positions, const Face& face) {
+    if (face.corners.size() > mostCorners)
+        throw Error(face.where, "face has too many corners: found " + std::to_string(face.corners.size()) +
+                                    ", expected at most " + std::to_string(mostCorners) + "; split it");
     Corners corners;
     for (const int index : face.corners) {
         RADLAB_CHECK(index >= 0);

@@ -26,7 +26,8 @@ public:
     /// @return for each patch the index of the face that it was cut from
     ///
     /// Faces without area are passed over with one warning that counts them.
-    /// Errors: sizes that are not positive numbers; a face with fewer than three different corners, or not planar;
+    /// Errors: sizes that are not positive numbers; a face with fewer than three different corners, with more than
+    /// 1024, or not planar;
     /// more than 2^24 patches.
     /// @cost linear in the number of patches
     /// @source [SutherlandHodgman1974] clipping to cells

@@ -186,6 +186,19 @@ TEST_CASE("faces that cannot be patches are refused with their place in the file
     CHECK(errorOf(square(0, true), 1e-5f).find("test.x3d:1: too many patches") == 0);
 }
 
+TEST_CASE("a star of a thousand corners is cut in moderate time, one of more is refused") {
+    const auto star = [](int corners) {
+        std::vector<Vec3f> outline;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2.0 * M_PI * i / corners, radius = i % 2 ? 0.9 : 1.0;
+            outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+        }
+        return outline;
+    };
+    CHECK(totalArea(meshOf(star(1000), 0.5f)) == Approx(0.5 * 1000 * 0.9 * std::sin(2.0 * M_PI / 1000)).epsilon(1e-4));
+    CHECK(errorOf(star(2000)).find("too many corners: found 2000") != std::string::npos);
+}
+
 TEST_CASE("far from the origin, a face may be as far off its plane as float coordinates are coarse") {
     const float far = 1e6f;
     CHECK(meshOf({{far, far, far}, {far + 8, far, far}, {far + 8, far + 8, far + 0.0625f}, {far, far + 8, far}}, 1.0f)
