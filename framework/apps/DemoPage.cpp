@@ -1,7 +1,5 @@
 #include "apps/DemoPage.h"
 
-#include <cstdio>
-
 #include <kainjow/mustache.hpp>
 
 #include "base/Error.h"
@@ -43,12 +41,10 @@ data pictureData(const Demo& demo) {
 data shotData(const Demo& demo) {
     data list{data::type::list};
     for (std::size_t i = 0; i < demo.shots.size(); ++i) {
-        char share[32];
-        std::snprintf(share, sizeof share, "%.2g", 100.0 * demo.shots[i].unshotShare);
         data entry;
         entry.set("file", demo.shots[i].file);
         entry.set("shots", std::to_string(demo.shots[i].shots));
-        entry.set("unshot", share);
+        entry.set("unshot", demo.shots[i].unshot);
         entry.set("separator", i + 1 < demo.shots.size() ? "," : "");
         list << entry;
     }

@@ -140,7 +140,7 @@ private:
 
     void brightestPicture() {
         add(demo::brightest, [this](Figures& figures) {
-            figures["shots"] = std::to_string(shootTheLight(plain));
+            figures["shots"] = std::to_string(shootTheLightIfWritten(plain));
             const MyPolygon* brightest = maxenergy_patch();
             if (!brightest) throw Error("maxenergy_patch: found nullptr, expected a patch");
             const float most = unshotPower(*brightest);
@@ -150,18 +150,24 @@ private:
         });
     }
 
-    // Shoots all patches of the light, where that is written yet, else leaves the scene as it is.
+    // As many shots as the light has patches.
     static int shootTheLight(Setting& setting) {
         Progressive solver = shotsOf(setting);
         const auto lights = std::count_if(polygons.begin(), polygons.end(),
                                           [](const MyPolygon* p) { return p->emissive != Vec3f(0.0f); });
-        try {
-            while (solver.progress().shots < lights && solver.shoot()) {
-            }
-        } catch (const NotImplemented&) {
-            setting.mesh.reset();
+        while (solver.progress().shots < lights && solver.shoot()) {
         }
         return solver.progress().shots;
+    }
+
+    // The same, but where later stages are stubs the scene stays as it is before the first shot.
+    static int shootTheLightIfWritten(Setting& setting) {
+        try {
+            return shootTheLight(setting);
+        } catch (const NotImplemented&) {
+            setting.mesh.reset();
+            return 0;
+        }
     }
 
     void analyticFormFactors() {
@@ -182,9 +188,7 @@ private:
 
     void firstShots() {
         add(demo::firstShots, [this](Figures& figures) {
-            const int shots = shootTheLight(plain);
-            if (shots == 0) distributeEnergy(maxenergy_patch());
-            figures["shots"] = std::to_string(shots);
+            figures["shots"] = std::to_string(shootTheLight(plain));
             colorReconstruction();
             const Image radiance = drawRadiance(plain.view, Shading::flat);
             return toneMap(radiance, autoExposure(radiance));
@@ -192,15 +196,20 @@ private:
     }
 
     void convergedAnalytic() {
-        bool solved = false;
-        const auto solvedPicture = [&](Shading shading, Figures& figures) {
-            if (!solved) figures = figuresOf(solve(plain, "analytic", {}));
-            solved = true;
-            const float exposure = autoExposure(drawRadiance(plain.view, Shading::flat));
-            return toneMap(drawRadiance(plain.view, shading), exposure);
+        Image flat;  // both pictures are shown with its exposure
+        const auto solveOnce = [&](Figures& figures) {
+            if (!flat.empty()) return;
+            figures = figuresOf(solve(plain, {}));
+            flat = drawRadiance(plain.view, Shading::flat);
         };
-        add(demo::flat, [&](Figures& figures) { return solvedPicture(Shading::flat, figures); });
-        add(demo::smooth, [&](Figures& figures) { return solvedPicture(Shading::smooth, figures); });
+        add(demo::flat, [&](Figures& figures) {
+            solveOnce(figures);
+            return toneMap(flat, autoExposure(flat));
+        });
+        add(demo::smooth, [&](Figures& figures) {
+            solveOnce(figures);
+            return toneMap(drawRadiance(plain.view, Shading::smooth), autoExposure(flat));
+        });
     }
 
     static Figures figuresOf(const Progress& progress) {
@@ -237,7 +246,7 @@ private:
     void shadows() {
         add(demo::shadows, [this](Figures& figures) {
             std::vector<std::pair<Progress, Image>> taken;
-            const Progress progress = solve(blocks, "hemicube", [&](const Progress& now) {
+            const Progress progress = solve(blocks, [&](const Progress& now) {
                 if (isSnapshot(now.shots)) taken.emplace_back(now, radianceNow());
             });
             if (taken.empty() || taken.back().first.shots != progress.shots)
@@ -265,7 +274,7 @@ private:
     void addShot(const Progress& at, Image image) {
         char name[32];
         std::snprintf(name, sizeof name, "shots_%05d.png", at.shots);
-        result.shots.push_back({at.shots, at.unshotShare, name, std::move(image)});
+        result.shots.push_back({at.shots, percent(at.unshotShare), name, std::move(image)});
     }
 
     // 1, 10, 100, … and the last, side by side.
@@ -291,9 +300,9 @@ private:
         return static_cast<double>(shots) / (static_cast<double>(shots) + left);
     }
 
-    static Progress solve(Setting& setting, const std::string& name, const std::function<void(const Progress&)>& each) {
+    static Progress solve(Setting& setting, const std::function<void(const Progress&)>& each) {
         Progressive solver = shotsOf(setting);
-        ProgressBar bar(name, 1.0);
+        ProgressBar bar(setting.name(), 1.0);
         std::vector<double> unshotAfter = {1.0};
         Limits limits;
         limits.unshotShare = convergedShare;

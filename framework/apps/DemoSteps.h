@@ -25,7 +25,7 @@ struct DemoPicture {
 /// A picture of the solution after some shots.
 struct DemoShot {
     int shots = 0;
-    double unshotShare = 0.0;
+    std::string unshot;  ///< share of the emitted power, "3.8 %"
     std::string file;
     Image image;
 };

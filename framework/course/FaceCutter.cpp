@@ -4,13 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "course/PatchMesh.h"
 #include "course/PointWelder.h"
 
 namespace radlab {
 
 namespace {
-
-constexpr double mostPatches = 16777214.0;  // 24-bit patch IDs, less background and one
 
 double cellsAlong(double length, double size) { return std::max(1.0, std::round(length / size)); }
 
@@ -137,9 +136,10 @@ void FaceCutter::addCells(const std::vector<std::vector<int>>& cells, const std:
 }
 
 void FaceCutter::checkRoom(double patches) const {
-    if (static_cast<double>(outPolygons.size()) + patches > mostPatches)
+    if (static_cast<double>(outPolygons.size()) + patches > static_cast<double>(mostPatches))
         throw Error(face.where, "too many patches: this face alone needs " + std::to_string(patches) + " at size " +
-                                    std::to_string(size) + ", expected at most 16777214 in all; take a larger size");
+                                    std::to_string(size) + ", expected at most " + std::to_string(mostPatches) +
+                                    " in all; take a larger size");
 }
 
 int FaceCutter::addVertex(const glm::dvec3& position) {

@@ -12,7 +12,7 @@ namespace radlab {
 /// Cuts one face into patches, as Mesher::mesh describes; they and their vertices are added to the output.
 ///
 /// @pre the face is planar and has an area
-/// Errors: a face that crosses itself, or would make more than 2^24 patches.
+/// Errors: a face that crosses itself, or would make more than mostPatches patches (PatchMesh.h).
 class FaceCutter {
 public:
     FaceCutter(const Face& face, double size, std::vector<MyVertex>& outVertices, std::vector<MyPolygon>& outPolygons);

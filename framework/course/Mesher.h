@@ -28,7 +28,7 @@ public:
     /// Faces without area are passed over with one warning that counts them.
     /// Errors: sizes that are not positive numbers; a face with fewer than three different corners, with more than
     /// 1024, or not planar;
-    /// more than 2^24 patches.
+    /// more than mostPatches patches (PatchMesh.h).
     /// @cost linear in the number of patches
     /// @source [SutherlandHodgman1974] clipping to cells
     static std::vector<int> mesh(const std::vector<Vec3f>& inVertices, const std::vector<radlab::Face>& inPolygons,

@@ -1,5 +1,6 @@
 #include "course/Mesher.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -10,7 +10,6 @@ namespace radlab {
 
 namespace {
 
-constexpr std::size_t mostPatches = (1u << 24) - 2;
 const PatchMesh* published = nullptr;
 
 }  // namespace

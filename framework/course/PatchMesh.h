@@ -7,6 +7,9 @@
 
 namespace radlab {
 
+/// How many patches 24-bit patch IDs can tell apart: 2^24, less the background and one to spare.
+constexpr std::size_t mostPatches = (std::size_t{1} << 24) - 2;
+
 /// The patches of a scene and the vertices that they share; owner of what the course's globals point to.
 class PatchMesh {
 public:
