@@ -14,6 +14,8 @@ find_package(benchmark QUIET)
 find_path(GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb)
 find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp)
+find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp)
+find_path(EIGEN3_INCLUDE_DIR Eigen/Core PATH_SUFFIXES eigen3)
 
 add_library(radlab_glm INTERFACE)
 target_include_directories(radlab_glm SYSTEM INTERFACE ${GLM_INCLUDE_DIR})

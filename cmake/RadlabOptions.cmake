@@ -13,7 +13,7 @@ option(RADLAB_WERROR "Treat warnings in radlab's own code as errors" OFF)
 option(RADLAB_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 
 add_library(radlab_options INTERFACE)
-target_include_directories(radlab_options INTERFACE ${PROJECT_SOURCE_DIR}/framework)
+target_include_directories(radlab_options INTERFACE ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR})
 target_compile_definitions(radlab_options INTERFACE
   RADLAB_VERSION="${PROJECT_VERSION}"
   RADLAB_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

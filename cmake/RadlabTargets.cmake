@@ -1,7 +1,7 @@
 # radlab_library(), radlab_tests(), radlab_program(), radlab_submission(): one line a target in the lists.
 
-# The library of framework/<name>: every .cpp there except tests, and its tests beside it. What it may
-# depend on is said once, in checks/layers.txt, and read from there.
+# The library of a folder, framework/<name> or grader/<name>: every .cpp there except tests and programs. What it
+# may depend on is said once, in checks/layers.txt, and read from there.
 file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/checks/layers.txt RADLAB_LAYERS REGEX "^[a-z]")
 
 function(radlab_layer_of folder out)
@@ -12,17 +12,24 @@ function(radlab_layer_of folder out)
       return()
     endif()
   endforeach()
-  message(FATAL_ERROR "cmake/checks/layers.txt: no line for framework/${folder}")
+  message(FATAL_ERROR "cmake/checks/layers.txt: no line for ${folder}")
 endfunction()
 
-function(radlab_library name)
-  set(folder ${PROJECT_SOURCE_DIR}/framework/${name})
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
+# The targets of folders: radlab_base for framework/base, radlab_grader_stages for grader/stages.
+function(radlab_targets_of folders out)
+  list(TRANSFORM folders REPLACE "^framework/" "radlab_")
+  list(TRANSFORM folders REPLACE "^grader/" "radlab_grader_")
+  set(${out} ${folders} PARENT_SCOPE)
+endfunction()
+
+function(radlab_library folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   list(FILTER sources EXCLUDE REGEX "(Test|Fuzz)\\.cpp$")
-  add_library(radlab_${name} STATIC ${sources})
-  radlab_layer_of(framework/${name} lower)
-  list(TRANSFORM lower REPLACE "framework/" "radlab_")
-  target_link_libraries(radlab_${name} PUBLIC radlab_options radlab_glm ${lower})
+  radlab_layer_of(${folder} lower)
+  radlab_targets_of("${lower}" lower)
+  radlab_targets_of(${folder} name)
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC radlab_options radlab_glm ${lower})
 endfunction()
 
 # A submission: one file with the six functions, compiled as it stands, warnings included.
@@ -44,11 +51,11 @@ function(radlab_tests name folder)
   doctest_discover_tests(${name} TEST_PREFIX "${name}: ")
 endfunction()
 
-# The program framework/apps/<source>.cpp.
+# The program <source>.cpp.
 function(radlab_program name source)
   if(NOT CLI11_FOUND)
     return()
   endif()
-  add_executable(${name} ${PROJECT_SOURCE_DIR}/framework/apps/${source}.cpp)
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/${source}.cpp)
   target_link_libraries(${name} PRIVATE CLI11::CLI11 ${ARGN})
 endfunction()

@@ -9,7 +9,8 @@ foreach(entry IN LISTS entries)
   list(APPEND keys ${key})
 endforeach()
 
-file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/framework/*.h ${ROOT}/framework/*.cpp ${ROOT}/solutions/*.cpp
+file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/framework/*.h ${ROOT}/framework/*.cpp ${ROOT}/grader/*.h ${ROOT}/grader/*.cpp
+  ${ROOT}/solutions/*.cpp
   ${ROOT}/resources/scenes/*.x3d ${ROOT}/resources/scenes/generate.py)
 set(cited 0)
 foreach(source IN LISTS sources)

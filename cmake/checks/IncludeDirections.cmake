@@ -59,7 +59,7 @@ endforeach()
 
 foreach(source IN LISTS sources)
   folder_of(${source} folder)
-  if(folder STREQUAL "framework/apps" OR source MATCHES "^solutions/.*Test[.]cpp$")
+  if(folder MATCHES "^(framework|grader)/apps$" OR source MATCHES "^solutions/.*Test[.]cpp$")
     continue()
   endif()
   if(NOT folder IN_LIST folders)

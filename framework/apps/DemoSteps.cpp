@@ -9,6 +9,7 @@
 #include "course/ProgRef.h"
 #include "display/Draw.h"
 #include "display/FalseColor.h"
+#include "display/HemicubePicture.h"
 #include "display/Label.h"
 #include "display/ToneMap.h"
 #include "scene/ResourceFile.h"

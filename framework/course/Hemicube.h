@@ -24,7 +24,7 @@ public:
     /// @pre   a GlContext is current, the same one for all calls
     /// Errors: an odd, too small or (for this OpenGL) too large size; no context.
     explicit Hemicube(int size);
-    ~Hemicube();
+    virtual ~Hemicube();
     Hemicube(const Hemicube&) = delete;
     Hemicube& operator=(const Hemicube&) = delete;
 
@@ -40,12 +40,13 @@ public:
     /// @param direction  the patch's normal, of any length above 0
     /// Errors: up or direction zero, not finite or parallel; eye not finite; draw leaving a glBegin open.
     /// @cost five calls of draw
-    void renderScene(const Vec3f& eye, const Vec3f& up, const Vec3f& direction, const std::function<void()>& draw);
+    virtual void renderScene(const Vec3f& eye, const Vec3f& up, const Vec3f& direction,
+                             const std::function<void()>& draw);
 
     /// Reads the drawn IDs back, for getIndex.
     ///
     /// @cost rendersize² pixels
-    void readIndexBuffer();
+    virtual void readIndexBuffer();
 
     /// The ID that pixel (x, y) shows: index of the patch plus 1, or 0 for background.
     ///

@@ -8,12 +8,18 @@ namespace radlab {
 namespace {
 
 constexpr double smallestRatio = 1e-6;
+constexpr double floatRounding = 0x1p-24;
 
 double distanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 edge = b - a;
     const double length2 = glm::dot(edge, edge);
     const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
     return glm::distance(p, a + t * edge);
+}
+
+// How far a corner may seem to lie over the shooter's plane, because its place, the eye and the normal are floats.
+double planeError(const glm::dvec3& corner, const glm::dvec3& eye) {
+    return 4.0 * floatRounding * (glm::length(corner) + glm::length(eye) + glm::distance(corner, eye));
 }
 
 // Distance from p to a convex planar polygon.
@@ -44,7 +50,7 @@ ViewDepth viewDepth(const std::vector<MyPolygon*>& patches, const std::vector<My
         for (int i = 0; i < patch->vertices; ++i) {
             const glm::dvec3 position(corners[static_cast<std::size_t>(patch->vertex[i])]->position);
             radius = std::max(radius, glm::distance(position, centre));
-            highest = std::max(highest, glm::dot(position - eye, direction));
+            highest = std::max(highest, glm::dot(position - eye, direction) - planeError(position, eye));
         }
         const double distance = glm::distance(centre, eye);
         farthest = std::max(farthest, distance + radius);

@@ -7,6 +7,7 @@
 #include "course/Hemicube.h"
 #include "course/TestMeshes.h"
 #include "display/FalseColor.h"
+#include "display/HemicubePicture.h"
 #include "display/Label.h"
 #include "display/ToneMap.h"
 #include "gl/Context.h"

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include <glm/glm.hpp>
-
-#include "course/Hemicube.h"
 
 namespace radlab {
 
 namespace {
-
-const glm::vec3 unused(0.13f);
 
 glm::vec3 fromHue(float hue, float saturation, float value) {
     const auto channel = [&](float shift) {
@@ -21,15 +16,6 @@ glm::vec3 fromHue(float hue, float saturation, float value) {
         return value - value * saturation * std::clamp(std::min(k, 4.0f - k), 0.0f, 1.0f);
     };
     return {channel(5.0f), channel(3.0f), channel(1.0f)};
-}
-
-Image unfolded(const Hemicube& hemicube, const std::function<glm::vec3(int x, int y)>& color) {
-    const int edge = hemicube.rendersize;
-    Image image(edge, edge, unused);
-    for (int y = 0; y < edge; ++y)
-        for (int x = 0; x < edge; ++x)
-            if (hemicube.getDeltaFormFactor(x, y) > 0.0f) image.at(x, edge - 1 - y) = color(x, y);
-    return image;
 }
 
 }  // namespace
@@ -57,16 +43,6 @@ glm::vec3 formFactorColor(float formFactor) {
     constexpr float lowest = -7.0f, highest = -2.0f;  // powers of ten
     if (!(formFactor > 0.0f)) return heatColor(0.0f);
     return heatColor((std::log10(formFactor) - lowest) / (highest - lowest));
-}
-
-Image hemicubeIds(const Hemicube& hemicube) {
-    return unfolded(hemicube, [&](int x, int y) { return idColor(static_cast<std::size_t>(hemicube.getIndex(x, y))); });
-}
-
-Image hemicubeWeights(const Hemicube& hemicube) {
-    const int middle = hemicube.rendersize / 2;
-    const float largest = hemicube.getDeltaFormFactor(middle, middle);
-    return unfolded(hemicube, [&](int x, int y) { return heatColor(hemicube.getDeltaFormFactor(x, y) / largest); });
 }
 
 }  // namespace radlab

@@ -2,9 +2,7 @@
 
 #include <cstddef>
 
-#include "base/Image.h"
-
-class Hemicube;
+#include <glm/vec3.hpp>
 
 namespace radlab {
 
@@ -20,14 +18,5 @@ glm::vec3 heatColor(float share);
 
 /// The heat colour of a form factor on a logarithmic scale: black at 1e-7 and below, pale at 1e-2 and above.
 glm::vec3 formFactorColor(float formFactor);
-
-/// The read-back buffer of a hemicube, its five faces unfolded, each patch ID in its false colour.
-///
-/// @pre    readIndexBuffer has been called
-/// @return rendersize x rendersize pixels, up on top, ready for display; the unused corners are dark grey
-Image hemicubeIds(const Hemicube& hemicube);
-
-/// The delta form factors of a hemicube as heat colours, the same way round.
-Image hemicubeWeights(const Hemicube& hemicube);
 
 }  // namespace radlab

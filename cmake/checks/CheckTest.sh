@@ -1,0 +1,77 @@
+#!/bin/sh
+# Tests of the program check as a student uses it: CheckTest.sh PROGRAM PROJECT CLAIM
+set -eu
+check=$1 project=$2 claim=$3
+work=$(mktemp -d)
+watcher=
+trap '[ -z "$watcher" ] || kill "$watcher" 2>/dev/null; rm -rf "$work"' EXIT
+cd "$work"
+
+wrong() { echo "$claim: $*" >&2; exit 1; }
+run() { code=0; "$check" "$@" >out 2>err </dev/null || code=$?; }
+exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
+says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+# Waits until a text stands in a file so many times.
+waits() {
+    for _ in $(seq 600); do
+        [ "$(grep -cF -- "$2" "$1")" -lt "$3" ] || return 0
+        sleep 0.1
+    done
+    wrong "'$2' was not said $3 times: $(cat "$1")"
+}
+
+case $claim in
+    "0 for all marks, 1 for marks lost, 2 for a file that does not compile or wrong flags")
+        run --file "$project/solutions/ProgRef.cpp"
+        exits 0
+        says out 'score: 100/100'
+        run --file "$project/exercises/ProgRef.cpp"
+        exits 1
+        tail -n 1 out >last
+        says last 'next: write maxenergy_patch (stage 1)'
+        printf '#include "ProgRef.h"\n\nint a = b;\n' >wrong.cpp
+        run --file wrong.cpp
+        exits 2
+        says out 'wrong.cpp:3:9: error: '
+        run --file absent.cpp
+        exits 2
+        says err 'absent.cpp'
+        run 9
+        exits 2
+        says err 'expected one of 1 maxenergy_patch'
+        run --nonsense
+        exits 2 ;;
+    "one stage, by number or name, and what it writes is whole or not there")
+        sed 's|static_cast<float>(M_1_PI) / distance2|1.0f / distance2|' "$project/solutions/ProgRef.cpp" >mine.cpp
+        run 2 --file mine.cpp --json verdict.json --junit verdict.xml --html --out page
+        exits 1
+        says out 'The factor 1/π is missing'
+        says verdict.json '"missing-inverse-pi"'
+        says verdict.json '"radlab/result/1"'
+        says verdict.xml '<testsuite'
+        says page/index.html 'missing'
+        [ "$(find page -name '*.png' | wc -l)" -eq 3 ] || wrong "$(ls page)"
+        [ "$(wc -l <out)" -le 26 ] || wrong "$(cat out)"
+        ! grep -q "$(printf '\033')" out || wrong "colour, and no terminal"
+        run distributeEnergy --file mine.cpp
+        exits 0
+        run 2 --file mine.cpp --json absent/verdict.json
+        exits 2 ;;
+    "watch judges on every save, and keeps the last verdict on a compile error")
+        cp "$project/exercises/ProgRef.cpp" mine.cpp
+        "$check" --watch --file mine.cpp >log 2>&1 &
+        watcher=$!
+        waits log '--- ' 1
+        waits log 'next: write maxenergy_patch (stage 1)' 1
+        sed 's|throw NotImplemented("maxenergy_patch");|return polygons.empty() ? nullptr : polygons[0];|' mine.cpp >new
+        cat new >mine.cpp
+        waits log 'wrong' 1
+        echo 'int a = b;' >>mine.cpp
+        waits log 'error: ' 1
+        waits log 'the last verdict' 1
+        cp "$project/solutions/ProgRef.cpp" mine.cpp
+        waits log 'score: 100/100' 1
+        wait "$watcher" || wrong "ended with $?"
+        watcher= ;;
+    *) wrong "no such claim" ;;
+esac

@@ -1,0 +1,51 @@
+#include "grader/apps/CheckFile.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "base/ProgressBar.h"
+
+namespace radlab::grader {
+
+FileChecker::FileChecker(std::filesystem::path file, std::uint64_t chosenSeed, unsigned processes)
+    : source(std::move(file)),
+      seed(chosenSeed),
+      jobs(processes),
+      toolchain(readToolchain(RADLAB_TOOLCHAIN)),
+      rules(readManifest(manifestFile())) {}
+
+Result FileChecker::judge(const std::vector<std::string>& stages) const {
+    const TemporaryFolder folder;
+    const std::filesystem::path library = folder.path() / "submission.so";
+    ProgressBar bar("checking", 1.0);
+    bar.show(0.0, "compiling " + source.filename().string());
+    compileSubmission(source, library, toolchain, rules);
+    JudgeOptions options;
+    options.seed = seed;
+    options.jobs = jobs;
+    options.stages = stages;
+    options.report = [&](std::size_t done, std::size_t total, const std::string& now) {
+        bar.show(static_cast<double>(done) / static_cast<double>(total), now);
+    };
+    Result result = judgeSubmission(library, rules, toolchain, options);
+    result.submission = std::filesystem::proximate(source).string();
+    return result;
+}
+
+int exitCode(const Result& result) {
+    bool right = true;
+    for (const StageResult& stage : result.stages) {
+        if (stage.status == Status::error) return 3;
+        right = right && stage.status == Status::pass;
+    }
+    return right ? 0 : 1;
+}
+
+bool wantsColor() {
+    const char* terminal = std::getenv("TERM");
+    const char* refused = std::getenv("NO_COLOR");
+    return isatty(STDOUT_FILENO) && terminal && std::string(terminal) != "dumb" && !(refused && *refused);
+}
+
+}  // namespace radlab::grader

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/judge/Judge.h"
+
+namespace radlab::grader {
+
+/// What check and watch need to judge one file again and again.
+class FileChecker {
+public:
+    /// Errors: a manifest or a build that cannot be read.
+    FileChecker(std::filesystem::path file, std::uint64_t seed, unsigned jobs);
+
+    /// Compiles the file and judges the stages named, all where none is, with a progress bar on a terminal.
+    ///
+    /// Errors: CompileError; those of compileSubmission and judgeSubmission.
+    Result judge(const std::vector<std::string>& stages) const;
+
+    const Manifest& manifest() const { return rules; }
+    const std::filesystem::path& file() const { return source; }
+
+private:
+    std::filesystem::path source;
+    std::uint64_t seed;
+    unsigned jobs;
+    Toolchain toolchain;
+    Manifest rules;
+};
+
+/// 0: all is right; 1: something is wrong or not started; 3: the grader or the machine failed.
+int exitCode(const Result& result);
+
+/// Whether a person reads standard output on a terminal that shows colours.
+bool wantsColor();
+
+}  // namespace radlab::grader

@@ -1,0 +1,48 @@
+// A spread of the mutants, judged as bench-grader judges them all.
+
+#include <doctest/doctest.h>
+
+#include "base/TestFolder.h"
+#include "base/WholeFile.h"
+#include "grader/judge/Judge.h"
+#include "grader/mutants/Mutant.h"
+
+using namespace radlab;
+using namespace radlab::grader;
+
+namespace {
+
+constexpr std::size_t spread = 23;  // every twenty-third
+
+Result judged(const Mutant& mutant, std::uint64_t seed) {
+    const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+    Manifest manifest = readManifest(manifestFile());
+    manifest.seconds = 20.0;
+    const test::Folder folder;
+    writeFile(folder / "ProgRef.cpp", mutant.source);
+    compileSubmission(folder / "ProgRef.cpp", folder / "submission.so", toolchain, manifest);
+    JudgeOptions options;
+    options.seed = seed;
+    return judgeSubmission(folder / "submission.so", manifest, toolchain, options);
+}
+
+}  // namespace
+
+TEST_CASE("wrong programs lose marks in the stage that is wrong alone, and right programs lose none") {
+    const std::vector<Mutant> mutants = projectMutants();
+    for (std::size_t i = 0; i < mutants.size(); i += spread) {
+        const Mutant& mutant = mutants[i];
+        const std::string which = mutant.stage + " " + mutant.id;
+        CAPTURE(which);
+        const Result result = judged(mutant, 1000 + i);
+        std::string name;
+        for (const StageResult& stage : result.stages) {
+            CHECK(stage.status != Status::error);
+            const bool isWrong = mutant.wrong && stage.stage == mutant.stage;
+            if (stage.maxScore > 0.0) CHECK((stage.score < stage.maxScore) == isWrong);
+            for (const CheckResult& check : stage.checks)
+                if (check.diagnosis) name = check.diagnosis->id;
+        }
+        if (!mutant.names.empty()) CHECK(std::count(mutant.names.begin(), mutant.names.end(), name) == 1);
+    }
+}

@@ -1,0 +1,91 @@
+#include "grader/apps/Watch.h"
+
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+#include "base/WholeFile.h"
+#include "grader/apps/CompileReport.h"
+
+namespace radlab::grader {
+
+namespace {
+
+constexpr std::chrono::milliseconds pollTime(150);
+constexpr int quietPolls = 2;  // editors write a file in several steps
+
+volatile std::sig_atomic_t stopped = 0;
+
+std::optional<std::string> textOf(const std::filesystem::path& file) {
+    try {
+        return readFile(file);
+    } catch (const Error&) {
+        return std::nullopt;  // between two steps of an editor
+    }
+}
+
+// The text of the file once it is another than before and stays so for a moment; nothing after Ctrl-C.
+std::optional<std::string> nextText(const std::filesystem::path& file, const std::optional<std::string>& before) {
+    std::optional<std::string> last = before;
+    for (int quiet = 0; !stopped; std::this_thread::sleep_for(pollTime)) {
+        const std::optional<std::string> now = textOf(file);
+        quiet = now && now == last ? quiet + 1 : 0;
+        last = now;
+        if (quiet >= quietPolls && now != before) return now;
+    }
+    return std::nullopt;
+}
+
+void announce(const std::string& what, bool color) {
+    const std::time_t now = std::time(nullptr);
+    char time[16];
+    std::strftime(time, sizeof time, "%H:%M:%S", std::localtime(&now));
+    std::cout << (color ? "\x1b[1m" : "") << "--- " << time << ' ' << what << (color ? "\x1b[0m" : "") << std::endl;
+}
+
+const StageResult* firstOpen(const Result& result) {
+    for (const StageResult& stage : result.stages)
+        if (stage.status != Status::pass) return &stage;
+    return nullptr;
+}
+
+// Judges the open stage, and while it turns out right, the next one.
+Result judgeFrom(const FileChecker& checker, std::string& open) {
+    for (;;) {
+        Result result = checker.judge({open});
+        if (firstOpen(result)) return result;
+        const Result whole = checker.judge({});
+        const StageResult* next = firstOpen(whole);
+        if (!next) return whole;
+        if (next->stage == open) return whole;
+        open = next->stage;
+    }
+}
+
+}  // namespace
+
+int watch(const FileChecker& checker, const ReportOptions& options) {
+    std::signal(SIGINT, [](int) { stopped = 1; });
+    std::cout << "watching " << std::filesystem::proximate(checker.file()).string() << "; Ctrl-C ends it" << std::endl;
+    std::string open = checker.manifest().stages.front().stage, verdict;
+    for (std::optional<std::string> text; (text = nextText(checker.file(), text));) {
+        try {
+            const Result result = judgeFrom(checker, open);
+            verdict = terminalReport(result, options);
+            announce("judged", options.color);
+            std::cout << verdict << std::flush;
+            if (exitCode(result) == 0 && result.stages.size() == checker.manifest().stages.size()) return 0;
+        } catch (const CompileError& error) {
+            announce("does not compile", options.color);
+            std::cout << compileReport(error.what(), checker.file());
+            if (!verdict.empty()) std::cout << "the last verdict, of the text before:\n" << verdict;
+            std::cout << std::flush;
+        }
+    }
+    return 0;
+}
+
+}  // namespace radlab::grader

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "grader/apps/CheckFile.h"
+#include "grader/report/Terminal.h"
+
+namespace radlab::grader {
+
+/// Judges the first stage that is not right yet, again whenever the file's text changes, until Ctrl-C or until all is right.
+///
+/// The file is read over and over, so it works on network drives and under WSL, too. A compile error is shown with its line,
+/// and under it the last verdict again.
+/// @return an exit code
+int watch(const FileChecker& checker, const ReportOptions& options);
+
+}  // namespace radlab::grader

@@ -1,0 +1,99 @@
+// Says which stages of the exercise are right, and what is wrong with the others.
+
+#include <cstdlib>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/Program.h"
+#include "base/WholeFile.h"
+#include "grader/apps/CheckFile.h"
+#include "grader/apps/CompileReport.h"
+#include "grader/apps/Watch.h"
+#include "grader/report/HtmlReport.h"
+#include "grader/report/JUnit.h"
+#include "grader/report/Terminal.h"
+
+using namespace radlab::grader;
+
+namespace {
+
+struct Flags {
+    std::string stage;
+    std::string file = RADLAB_SOURCE_DIR "/exercises/ProgRef.cpp";
+    std::uint64_t seed = 1;
+    unsigned jobs = 0;
+    bool hint = false, html = false, open = false, watch = false;
+    std::string out = "out/check", json, junit;
+};
+
+void describe(CLI::App& app, Flags& flags) {
+    app.add_option("stage", flags.stage, "One stage only: its number or the name of its function");
+    app.add_option("--file", flags.file, "The file to judge")->capture_default_str();
+    app.add_flag("--hint", flags.hint, "Say more about where to look");
+    app.add_flag("--watch", flags.watch, "Judge the first open stage whenever the file is saved");
+    app.add_flag("--html", flags.html, "Write a page with the pictures: reference, yours, difference");
+    app.add_flag("--open", flags.open, "Open that page in the browser");
+    app.add_option("--out", flags.out, "The folder of that page")->capture_default_str();
+    app.add_option("--json", flags.json, "Write the verdict to this file");
+    app.add_option("--junit", flags.junit, "Write the verdict to this file in the form of JUnit");
+    app.add_option("--seed", flags.seed, "What the cases are drawn from")->capture_default_str();
+    app.add_option("--jobs", flags.jobs, "Processes at once; 0 is one a core")->capture_default_str();
+    app.set_version_flag("--version", "radlab " RADLAB_VERSION);
+    app.footer(
+        "Exit codes: 0 all right, 1 marks lost, 2 wrong flags or a file that does not compile, 3 the grader failed.\n"
+        "Examples: ./radlab check\n          ./radlab check 3 --hint\n          ./radlab check distributeEnergy --html "
+        "--open");
+}
+
+void openInBrowser(const std::filesystem::path& page) {
+    const std::string quoted = "'" + std::filesystem::absolute(page).string() + "'";
+    for (const char* opener : {"wslview", "xdg-open"})
+        if (std::system((std::string("command -v ") + opener + " >/dev/null 2>&1").c_str()) == 0 &&
+            std::system((std::string(opener) + " " + quoted + " >/dev/null 2>&1").c_str()) == 0)
+            return;
+    std::cerr << "radlab: no browser could be started; open the page yourself\n";
+}
+
+void writeFiles(const Result& result, const Flags& flags) {
+    if (!flags.json.empty()) radlab::writeFile(flags.json, resultToJson(result).dump(2) + "\n");
+    if (!flags.junit.empty()) radlab::writeFile(flags.junit, junitXml(result));
+    if (!flags.html && !flags.open) return;
+    const std::filesystem::path page = writeHtmlReport(result, flags.out);
+    std::cout << "page: " << page.string() << '\n';
+    if (flags.open) openInBrowser(page);
+}
+
+int check(const Flags& flags) {
+    const FileChecker checker(flags.file, flags.seed, flags.jobs);
+    std::vector<std::string> stages;
+    if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
+    ReportOptions options;
+    options.color = wantsColor();
+    options.hints = flags.hint;
+    if (flags.watch) return watch(checker, options);
+    try {
+        const Result result = checker.judge(stages);
+        writeFiles(result, flags);
+        std::cout << terminalReport(result, options);
+        return exitCode(result);
+    } catch (const CompileError& error) {
+        std::cout << compileReport(error.what(), flags.file);
+        return 2;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Says which stages of the exercise are right, and what is wrong with the others.");
+    Flags flags;
+    describe(app, flags);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    return radlab::runProgram([&] { return check(flags); });
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/Error.h"
+#include "grader/stages/Manifest.h"
+
+namespace radlab::grader {
+
+/// How submissions are compiled and judged on this machine, as the build wrote it down.
+struct Toolchain {
+    std::string compiler;
+    std::vector<std::string> flags;
+    std::filesystem::path worker;
+    bool sanitized = false;  ///< built with the sanitizers, which need more memory and time than the manifest allows
+};
+
+/// Reads what the build wrote.
+///
+/// Errors: no such file, or one that is not as it should be.
+Toolchain readToolchain(const std::filesystem::path& file);
+
+/// A submission that does not compile: the text is the compiler's first error with its file and line.
+class CompileError : public Error {
+public:
+    using Error::Error;
+};
+
+/// A folder of its own that goes with everything in it.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return folder; }
+
+private:
+    std::filesystem::path folder;
+};
+
+/// Compiles a submission into a shared library that the worker can load.
+///
+/// @param library  the file to write
+/// Errors: CompileError; no such file; a compiler that takes too long.
+/// @cost half a second where the precompiled header fits
+void compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,
+                       const Toolchain& toolchain, const Manifest& manifest);
+
+/// The first error in a compiler's output, with the lines that explain it.
+std::string firstError(const std::string& output);
+
+}  // namespace radlab::grader

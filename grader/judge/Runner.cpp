@@ -1,0 +1,78 @@
+#include "grader/judge/Runner.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace radlab::grader {
+
+namespace {
+
+constexpr double secondsAfterHang = 2.0;
+
+std::vector<Step> stepsOf(const Task& task) {
+    if (task.picture) return task.picture->steps();
+    std::vector<Step> steps;
+    for (const Case& one : task.check->cases) steps.insert(steps.end(), one.steps.begin(), one.steps.end());
+    return steps;
+}
+
+void blameTheMachine(const std::vector<Task*>& tasks, const Toolchain& toolchain, const Manifest& manifest) {
+    const auto silent = [](const Task* task) { return task->run.run.answers.empty() && !task->run.run.cause.empty(); };
+    if (std::none_of(tasks.begin(), tasks.end(), silent)) return;
+    const std::string problem = workerProblem(toolchain, manifest);
+    for (Task* task : tasks)
+        if (!problem.empty() && silent(task)) {
+            task->run.machineFailed = true;
+            task->run.run.cause = problem;
+        }
+}
+
+}  // namespace
+
+Runner::Runner(std::filesystem::path submission, const Manifest& within, const Toolchain& tools,
+               const JudgeOptions& how, std::size_t count)
+    : library(std::move(submission)), manifest(within), toolchain(tools), options(how), total(count) {
+    RADLAB_CHECK(manifest.stages.size() < mostStages);
+}
+
+void Runner::run(const std::vector<Task*>& tasks) {
+    next = 0;
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const auto count = std::min<std::size_t>(options.jobs ? options.jobs : cores, tasks.size());
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&] { work(tasks); });
+    for (std::thread& thread : threads) thread.join();
+    blameTheMachine(tasks, toolchain, manifest);
+}
+
+void Runner::work(const std::vector<Task*>& tasks) {
+    for (std::size_t i = next++; i < tasks.size(); i = next++) {
+        tell(tasks[i]->line->name);
+        try {
+            perform(*tasks[i]);
+        } catch (const std::exception& fault) {
+            tasks[i]->run.machineFailed = true;
+            tasks[i]->run.run.cause = fault.what();
+        }
+    }
+}
+
+void Runner::perform(Task& task) {
+    const std::vector<Step> steps = stepsOf(task);
+    task.run = runWorker(library, steps, toolchain, manifest, secondsFor(task));
+    if (task.run.timedOut) hangs[static_cast<std::size_t>(task.stage->number)] = true;
+    if (task.picture) task.verdict = judgePicture(*task.line, *task.picture, steps, task.run.run);
+}
+
+// Where one check of a stage has hung, nobody waits as long for the next.
+double Runner::secondsFor(const Task& task) const {
+    const bool hung = hangs[static_cast<std::size_t>(task.stage->number)];
+    return hung ? std::min(manifest.seconds, secondsAfterHang) : manifest.seconds;
+}
+
+void Runner::tell(const std::string& now) {
+    const std::scoped_lock lock(telling);
+    if (options.report) options.report(started++, total, now);
+}
+
+}  // namespace radlab::grader

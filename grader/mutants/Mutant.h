@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace radlab::grader {
+
+/// A small change to the solution that makes a wrong program, or a right one in another style.
+struct Mutant {
+    std::string stage;  ///< the function that it changes
+    std::string id;     ///< unlike all others of its stage
+    bool wrong = true;
+    std::vector<std::string> names;  ///< the diagnoses that name the mistake; empty where none is expected to
+    std::string source;              ///< the whole file with the change made
+};
+
+/// All mutants of a folder of .json files, made from the solution.
+///
+/// A file has "stage", "wrong" and "right"; each of their entries an "id" and a change: "replace", pairs of a text that occurs exactly
+/// once and its replacement; or "function", names of functions with the lines that take the place of their definition.
+/// Errors: with file and id, a text that does not occur once, a function that is not there, a file of another form.
+std::vector<Mutant> readMutants(const std::filesystem::path& folder, const std::filesystem::path& solution);
+
+/// The folder and the solution of the project.
+std::vector<Mutant> projectMutants();
+
+}  // namespace radlab::grader

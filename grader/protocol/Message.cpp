@@ -1,0 +1,231 @@
+#include "grader/protocol/Message.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/Error.h"
+
+namespace radlab::grader {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// A member of MyPolygon or MyVertex, which travels as one packed array over all patches or vertices.
+struct Member {
+    const char* name;
+    std::size_t offset, size;
+};
+
+#define RADLAB_MEMBER(prefix, type, member) \
+    { prefix #member, offsetof(type, member), sizeof(type::member) }
+
+constexpr std::array<Member, 11> patchMembers = {
+    {RADLAB_MEMBER("patch.", MyPolygon, vertices), RADLAB_MEMBER("patch.", MyPolygon, vertex),
+     RADLAB_MEMBER("patch.", MyPolygon, diffuse), RADLAB_MEMBER("patch.", MyPolygon, emissive),
+     RADLAB_MEMBER("patch.", MyPolygon, normal), RADLAB_MEMBER("patch.", MyPolygon, center),
+     RADLAB_MEMBER("patch.", MyPolygon, area), RADLAB_MEMBER("patch.", MyPolygon, formF),
+     RADLAB_MEMBER("patch.", MyPolygon, rad), RADLAB_MEMBER("patch.", MyPolygon, unshot_rad),
+     RADLAB_MEMBER("patch.", MyPolygon, color)}};
+
+constexpr std::array<Member, 4> cornerMembers = {
+    {RADLAB_MEMBER("corner.", MyVertex, position), RADLAB_MEMBER("corner.", MyVertex, colorcount),
+     RADLAB_MEMBER("corner.", MyVertex, color), RADLAB_MEMBER("corner.", MyVertex, rad)}};
+
+#undef RADLAB_MEMBER
+
+template <class Item>
+Json packed(const std::vector<Item>& items, const Member& member) {
+    std::vector<std::uint8_t> bytes(items.size() * member.size);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        std::memcpy(&bytes[i * member.size], reinterpret_cast<const char*>(&items[i]) + member.offset, member.size);
+    return Json::binary(std::move(bytes));
+}
+
+template <class Item>
+void unpack(const Json& json, const Member& member, std::vector<Item>& items) {
+    const Json::binary_t& bytes = json.at(member.name).get_binary();
+    if (bytes.size() != items.size() * member.size) throw Error(std::string(member.name) + ": wrong size");
+    for (std::size_t i = 0; i < items.size(); ++i)
+        std::memcpy(reinterpret_cast<char*>(&items[i]) + member.offset, &bytes[i * member.size], member.size);
+}
+
+template <class Visit>
+void forEachMember(const std::vector<std::string>& names, const Visit& visit) {
+    const auto named = [&](const Member& member) { return std::count(names.begin(), names.end(), member.name) > 0; };
+    for (const Member& member : patchMembers)
+        if (named(member)) visit(member, true);
+    for (const Member& member : cornerMembers)
+        if (named(member)) visit(member, false);
+}
+
+Json stateToJson(const State& state, const std::vector<std::string>& names) {
+    Json json = {{"patches", state.patches.size()}, {"corners", state.corners.size()}};
+    forEachMember(names, [&](const Member& member, bool ofPatch) {
+        json[member.name] = ofPatch ? packed(state.patches, member) : packed(state.corners, member);
+    });
+    return json;
+}
+
+void readMembers(const Json& json, const std::vector<std::string>& names, State& state) {
+    forEachMember(names, [&](const Member& member, bool ofPatch) {
+        if (ofPatch)
+            unpack(json, member, state.patches);
+        else
+            unpack(json, member, state.corners);
+    });
+}
+
+State stateFromJson(const Json& json) {
+    State state;
+    state.patches.resize(json.at("patches").get<std::size_t>());
+    state.corners.resize(json.at("corners").get<std::size_t>());
+    readMembers(json, memberNames(), state);
+    return state;
+}
+
+Json toJson(const Vec3f& v) { return Json::array({v.x, v.y, v.z}); }
+Vec3f vectorFrom(const Json& json) {
+    return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
+}
+
+Json stepToJson(const Step& step) {
+    Json json = {{"function", step.function}, {"shooter", step.shooter},   {"standIns", step.standIns},
+                 {"width", step.width},       {"height", step.height},     {"hemicubeSize", step.hemicubeSize},
+                 {"shots", step.shots},       {"analytic", step.analytic}, {"wanted", step.wanted}};
+    json["view"] = std::vector<float>(glm::value_ptr(step.view), glm::value_ptr(step.view) + 16);
+    const auto* unshot = reinterpret_cast<const std::uint8_t*>(step.unshot.data());
+    json["unshot"] = Json::binary({unshot, unshot + step.unshot.size() * sizeof(Vec3f)});
+    if (step.state) json["state"] = stateToJson(*step.state, memberNames());
+    return json;
+}
+
+Step stepFromJson(const Json& json) {
+    Step step;
+    json.at("function").get_to(step.function);
+    json.at("shooter").get_to(step.shooter);
+    json.at("standIns").get_to(step.standIns);
+    json.at("width").get_to(step.width);
+    json.at("height").get_to(step.height);
+    json.at("hemicubeSize").get_to(step.hemicubeSize);
+    json.at("shots").get_to(step.shots);
+    json.at("analytic").get_to(step.analytic);
+    json.at("wanted").get_to(step.wanted);
+    step.view = glm::make_mat4(json.at("view").get<std::vector<float>>().data());
+    const Json::binary_t& unshot = json.at("unshot").get_binary();
+    step.unshot.resize(unshot.size() / sizeof(Vec3f));
+    std::memcpy(static_cast<void*>(step.unshot.data()), unshot.data(), step.unshot.size() * sizeof(Vec3f));
+    if (json.contains("state")) step.state = stateFromJson(json.at("state"));
+    return step;
+}
+
+Json answerToJson(const StepAnswer& answer, const std::vector<std::string>& wanted) {
+    Json calls = Json::array();
+    for (const HemicubeCall& call : answer.calls)
+        calls.push_back({{"reads", call.reads},
+                         {"eye", toJson(call.eye)},
+                         {"up", toJson(call.up)},
+                         {"direction", toJson(call.direction)}});
+    return {{"stop", static_cast<int>(answer.stop.kind)},
+            {"text", Json::binary({answer.stop.text.begin(), answer.stop.text.end()})},
+            {"returned", answer.returned},
+            {"shots", answer.shots},
+            {"pixels", Json::binary(answer.pixels)},
+            {"calls", calls},
+            {"state", stateToJson(answer.state, wanted)}};
+}
+
+StepAnswer answerFromJson(const Json& json, const Step& step, const State& before) {
+    StepAnswer answer;
+    const int kind = json.at("stop").get<int>();
+    if (kind < 0 || kind > static_cast<int>(Stop::Kind::machine)) throw Error("unknown kind of stop");
+    answer.stop.kind = static_cast<Stop::Kind>(kind);
+    const Json::binary_t& text = json.at("text").get_binary();
+    answer.stop.text.assign(text.begin(), text.end());
+    json.at("returned").get_to(answer.returned);
+    json.at("shots").get_to(answer.shots);
+    answer.pixels = json.at("pixels").get_binary();
+    const std::size_t pixelBytes = 3 * static_cast<std::size_t>(step.width) * static_cast<std::size_t>(step.height);
+    if (answer.pixels.size() != pixelBytes && kind == 0) throw Error("pixels: wrong size");
+    for (const Json& call : json.at("calls"))
+        answer.calls.push_back({call.at("reads").get<bool>(), vectorFrom(call.at("eye")), vectorFrom(call.at("up")),
+                                vectorFrom(call.at("direction"))});
+    answer.state = before;
+    if (kind == 0) readMembers(json.at("state"), step.wanted, answer.state);
+    return answer;
+}
+
+}  // namespace
+
+std::vector<std::string> memberNames() {
+    std::vector<std::string> names;
+    for (const Member& member : patchMembers) names.emplace_back(member.name);
+    for (const Member& member : cornerMembers) names.emplace_back(member.name);
+    return names;
+}
+
+std::string toCbor(const Request& request) {
+    Json steps = Json::array();
+    for (const Step& step : request.steps) steps.push_back(stepToJson(step));
+    std::string bytes;
+    Json::to_cbor({{"nonce", request.nonce}, {"steps", std::move(steps)}}, bytes);
+    return bytes;
+}
+
+Request requestFromCbor(std::string_view bytes) {
+    try {
+        const Json json = Json::from_cbor(bytes);
+        Request request;
+        json.at("nonce").get_to(request.nonce);
+        for (const Json& step : json.at("steps")) request.steps.push_back(stepFromJson(step));
+        return request;
+    } catch (const Json::exception& error) {
+        throw Error(std::string("request: ") + error.what());
+    }
+}
+
+std::string toRecord(const StepAnswer& answer, std::uint64_t nonce, std::size_t step,
+                     const std::vector<std::string>& wanted) {
+    Json json = answerToJson(answer, wanted);
+    json["nonce"] = nonce;
+    json["step"] = step;
+    std::string body;
+    Json::to_cbor(json, body);
+    const std::uint64_t length = body.size();
+    std::string record(sizeof length, '\0');
+    std::memcpy(record.data(), &length, sizeof length);
+    return record + body;
+}
+
+std::vector<StepAnswer> answersFromRecords(std::string_view bytes, const Request& request) {
+    std::vector<StepAnswer> answers;
+    answers.reserve(request.steps.size());  // `before` points into it
+    const State none;
+    const State* before = &none;
+    for (std::size_t i = 0; i < request.steps.size(); ++i) {
+        std::uint64_t length = 0;
+        if (bytes.size() < sizeof length) break;
+        std::memcpy(&length, bytes.data(), sizeof length);
+        bytes.remove_prefix(sizeof length);
+        if (length > bytes.size()) break;
+        try {
+            const Json json = Json::from_cbor(bytes.substr(0, length));
+            if (json.at("nonce").get<std::uint64_t>() != request.nonce || json.at("step").get<std::size_t>() != i)
+                break;
+            const Step& step = request.steps[i];
+            answers.push_back(answerFromJson(json, step, step.state ? *step.state : *before));
+        } catch (const std::exception&) {
+            break;  // hostile or broken: the rest cannot be trusted either
+        }
+        before = &answers.back().state;
+        bytes.remove_prefix(length);
+    }
+    return answers;
+}
+
+}  // namespace radlab::grader

@@ -1,0 +1,130 @@
+#include "grader/report/Wording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "grader/report/TextLines.h"
+
+namespace radlab::grader {
+
+namespace {
+
+constexpr std::size_t functionCount = 6;
+constexpr const char* checkCommand = "./radlab check";
+
+const StageResult* firstStage(const Result& result, Status status) {
+    for (const StageResult& stage : result.stages)
+        if (stage.status == status) return &stage;
+    return nullptr;
+}
+
+// " in exercises/ProgRef.cpp", then with the file's name alone, then nothing.
+std::vector<std::string> placesToEdit(const Result& result) {
+    const std::string file = oneLine(result.submission);
+    if (file.empty()) return {""};
+    const std::size_t slash = file.find_last_of("/\\");
+    if (slash == std::string::npos) return {" in " + file, ""};
+    return {" in " + file, " in …" + file.substr(slash), ""};
+}
+
+std::vector<std::string> write(const Result& result, const StageResult& stage) {
+    std::vector<std::string> steps;
+    for (const std::string& place : placesToEdit(result))
+        steps.push_back("write " + stageName(stage) + " (stage " + std::to_string(stage.number) + ")" + place +
+                        ", then " + checkCommand);
+    return steps;
+}
+
+std::vector<std::string> mend(const Result& result, const StageResult& stage, bool hintsShown) {
+    const CheckResult* check = firstCheck(stage, Status::fail);
+    const bool moreToSay = check && !hintsShown && !hintOf(*check).empty();
+    const std::string command = std::string(checkCommand) + " " + oneLine(stage.stage);
+    const std::string what = isTogether(stage)
+                                 ? "find why the functions fail together"
+                                 : "mend " + stageName(stage) + " (stage " + std::to_string(stage.number) + ")";
+    std::vector<std::string> steps;
+    for (const std::string& place : placesToEdit(result))
+        steps.push_back(what + place + (moreToSay ? "; " + command + " --hint says more" : ", then " + command));
+    return steps;
+}
+
+}  // namespace
+
+std::string marksText(double marks) {
+    char text[64];
+    std::snprintf(text, sizeof text, std::abs(marks) < 1e7 ? "%.2f" : "%g", marks);
+    std::string shown = text;
+    if (!(std::abs(marks) < 1e7)) return shown;
+    shown.erase(shown.find_last_not_of('0') + 1);
+    if (shown.back() == '.') shown.pop_back();
+    return shown == "-0" ? "0" : shown;
+}
+
+std::string statusWord(Status status) {
+    switch (status) {
+        case Status::pass: return "right";
+        case Status::fail: return "wrong";
+        case Status::error: return "grader failed";
+        case Status::notStarted: return "not started";
+        case Status::blocked: return "blocked";
+        case Status::skipped: break;
+    }
+    return "not judged";
+}
+
+bool isTogether(const StageResult& stage) { return stage.stage == "together"; }
+
+std::string stageName(const StageResult& stage) { return isTogether(stage) ? "all together" : oneLine(stage.stage); }
+
+bool hasError(const StageResult& stage) {
+    return stage.status == Status::error || firstCheck(stage, Status::error) != nullptr;
+}
+
+bool hasError(const Result& result) {
+    return std::any_of(result.stages.begin(), result.stages.end(),
+                       [](const StageResult& stage) { return hasError(stage); });
+}
+
+Status shownStatus(const StageResult& stage) { return hasError(stage) ? Status::error : stage.status; }
+
+bool nothingStarted(const Result& result) {
+    const auto untouched = [](const StageResult& stage) {
+        return stage.status == Status::notStarted || stage.status == Status::blocked || stage.status == Status::skipped;
+    };
+    return firstStage(result, Status::notStarted) && !hasError(result) &&
+           std::all_of(result.stages.begin(), result.stages.end(), untouched);
+}
+
+bool allRight(const Result& result) {
+    std::size_t functions = 0;
+    for (const StageResult& stage : result.stages) {
+        if (stage.status != Status::pass) return false;
+        if (!isTogether(stage)) ++functions;
+    }
+    return functions >= functionCount;
+}
+
+const CheckResult* firstCheck(const StageResult& stage, Status status) {
+    for (const CheckResult& check : stage.checks)
+        if (check.status == status) return &check;
+    return nullptr;
+}
+
+std::string hintOf(const CheckResult& check) {
+    return check.diagnosis && !check.diagnosis->hint.empty() ? check.diagnosis->hint : check.hint;
+}
+
+std::vector<std::string> nextStep(const Result& result, bool hintsShown) {
+    if (hasError(result))
+        return {std::string("run ") + checkCommand + " again; if it fails again, send this report to your instructor"};
+    if (const StageResult* stage = firstStage(result, Status::fail)) return mend(result, *stage, hintsShown);
+    if (const StageResult* stage = firstStage(result, Status::notStarted)) return write(result, *stage);
+    if (allRight(result))
+        return {"nothing is left to do: all six are right; ./radlab demo --exercise shows what they draw"};
+    if (firstStage(result, Status::blocked))
+        return {std::string(checkCommand) + " judges all six functions, and says which one comes first"};
+    return {std::string(checkCommand) + " judges all six functions"};
+}
+
+}  // namespace radlab::grader

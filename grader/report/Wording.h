@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/protocol/Result.h"
+
+namespace radlab::grader {
+
+// The words and figures that every report uses.
+
+/// Marks as a person writes them: "8", "7.5", "6.67".
+std::string marksText(double marks);
+
+/// "right", "wrong", "not started", "blocked", "grader failed" or "not judged".
+std::string statusWord(Status status);
+
+/// Whether a stage is that of all functions together, which has no function to edit and no marks.
+bool isTogether(const StageResult& stage);
+
+/// "calcFF", or "all together"; on one line, and safe to show.
+std::string stageName(const StageResult& stage);
+
+/// Whether the grader or the machine failed anywhere: in a stage, or in one of its checks.
+bool hasError(const StageResult& stage);
+bool hasError(const Result& result);
+
+/// The status of a stage, or error where the grader failed in one of its checks.
+Status shownStatus(const StageResult& stage);
+
+/// Whether nothing has been written yet.
+bool nothingStarted(const Result& result);
+
+/// Whether all six functions were judged and are right, and all of them together.
+bool allRight(const Result& result);
+
+/// The first check of a stage with a status, or nullptr.
+const CheckResult* firstCheck(const StageResult& stage, Status status);
+
+/// The hint of a check: its diagnosis' own, or else its own.
+std::string hintOf(const CheckResult& check);
+
+/// What to do next, the same said in ever fewer words; safe to show, one line each.
+///
+/// hintsShown tells whether the hints stand above it already.
+std::vector<std::string> nextStep(const Result& result, bool hintsShown);
+
+}  // namespace radlab::grader

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace radlab::grader {
+
+/// A program to run: nothing of this process's environment reaches it but what is named here.
+struct Command {
+    std::vector<std::string> arguments;  ///< the program's path first
+    std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8"};
+    std::filesystem::path folder = "/";  ///< where it runs
+};
+
+/// What a program may use. A limit of 0 is none.
+struct ProcessLimits {
+    double seconds = 10.0;                      ///< of wall-clock time
+    std::size_t memory = std::size_t{4} << 30;  ///< bytes of address space
+    std::size_t file = 0;                       ///< bytes of the largest file that it may write
+    std::size_t output = 64 << 10;              ///< bytes kept of what it prints; the rest is thrown away
+    std::size_t answer = std::size_t{1} << 28;  ///< bytes that may come through descriptor 3
+};
+
+/// How a program ended, and what it left.
+struct Ended {
+    enum class How {
+        exited,     ///< code is its exit code
+        signalled,  ///< code is the signal
+        timedOut,   ///< it was stopped at the limit
+    };
+    How how = How::exited;
+    int code = 0;
+    std::string output;  ///< standard output and standard error, as they came
+    bool outputCut = false;
+    std::string answer;  ///< what it wrote to descriptor 3
+    double seconds = 0.0;
+};
+
+/// Runs a program in a process group of its own, feeds it, and waits for its end.
+///
+/// It starts with standard input (which brings `input`), output and error, and descriptor 3 (which takes its answer), and no other;
+/// it gains no privileges, dumps no core, and goes with this process. At its end, or at the limit of time, its whole group is
+/// killed; what a process that left the group still prints is not waited for.
+/// May be called by several threads at once.
+///
+/// Errors: the program cannot be started, or this machine lacks processes or descriptors.
+Ended run(const Command& command, std::string_view input, const ProcessLimits& limits);
+
+/// Which of the ways to keep a program in its box `run` has, for the result file.
+std::vector<std::string> protections();
+
+}  // namespace radlab::grader

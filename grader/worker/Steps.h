@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "course/PatchMesh.h"
+#include "gl/Context.h"
+#include "grader/protocol/Message.h"
+#include "grader/worker/Submission.h"
+#include "grader/worker/WatchedHemicube.h"
+
+namespace radlab::grader {
+
+/// Performs the steps of a request, one after the other, on one mesh of patches.
+///
+/// An OpenGL context and a hemicube are made when the first step needs them, and kept.
+class Steps {
+public:
+    explicit Steps(Submission& loaded) : submission(loaded) {}
+
+    /// Prepares the state, calls the function, and says what is left.
+    ///
+    /// What the function throws ends up in the answer.
+    StepAnswer perform(const Step& step);
+
+private:
+    void prepare(const Step& step);
+    void call(const Step& step, StepAnswer& answer);
+    void draw(const Step& step, StepAnswer& answer);
+    void solve(const Step& step, StepAnswer& answer);
+    void startOpenGl();
+    void prepareHemicube(const Step& step);
+    int indexOf(const MyPolygon* patch) const;
+    MyPolygon* patchAt(int index);
+
+    Submission& submission;
+    PatchMesh mesh;
+    std::unique_ptr<GlContext> context;
+    std::unique_ptr<WatchedHemicube> hemicube;
+};
+
+}  // namespace radlab::grader

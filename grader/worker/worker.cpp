@@ -1,0 +1,79 @@
+// Loads a submission, performs the steps of a request and answers; started by the judge, which alone knows what is right.
+//
+//   worker LIBRARY: the request comes on standard input, the answers go to file descriptor 3.
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "base/Error.h"
+#include "grader/worker/Steps.h"
+
+using namespace radlab::grader;
+
+namespace {
+
+constexpr int answers = 3;
+
+// False where the judge cannot be reached any more.
+bool send(const std::string& record) {
+    std::size_t sent = 0;
+    while (sent < record.size()) {
+        const ssize_t written = write(answers, record.data() + sent, record.size() - sent);
+        if (written <= 0) return false;
+        sent += static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+std::string received() {
+    std::string bytes;
+    std::array<char, 1 << 16> block;
+    for (ssize_t got; (got = read(STDIN_FILENO, block.data(), block.size())) > 0;)
+        bytes.append(block.data(), static_cast<std::size_t>(got));
+    return bytes;
+}
+
+// Before the judge can take the process for ended: what the submission printed is in the pipes.
+void flush() {
+    std::cout.flush();
+    std::cerr.flush();
+    std::fflush(nullptr);
+}
+
+void answerAll(const char* library, const Request& request) {
+    try {
+        Submission submission(library);
+        Steps steps(submission);
+        for (std::size_t i = 0; i < request.steps.size(); ++i) {
+            const StepAnswer answer = steps.perform(request.steps[i]);
+            flush();
+            if (!send(toRecord(answer, request.nonce, i, request.steps[i].wanted))) return;
+        }
+    } catch (const radlab::Error& error) {
+        StepAnswer answer;
+        answer.stop = {Stop::Kind::load, error.what()};
+        send(toRecord(answer, request.nonce, 0, {}));
+    }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    std::setvbuf(stdout, nullptr, _IOLBF, 1 << 16);  // so that little is lost in a crash
+    try {
+        const Request request = requestFromCbor(received());
+        if (!request.steps.empty()) answerAll(arguments[1], request);  // no steps: only whether it starts is asked
+    } catch (const std::exception& exception) {
+        std::cerr << "worker: " << exception.what() << '\n';
+        flush();
+        _exit(3);
+    }
+    flush();
+    _exit(0);  // nothing of the submission runs once all is answered
+}
