@@ -28,11 +28,10 @@ std::string exampleOf(const test::Folder& folder, const std::string& stage) {
 
 // The exit code of the example as a test of what lies in ProgRef.cpp; 2 where it does not compile.
 int outcome(const test::Folder& folder, const std::string& example) {
-    writeFile(
-        folder / "example.cpp",
-        "#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN\n#include <doctest/doctest.h>\n#include \"course/PatchMesh.h\"\n"
-        "#include \"course/ProgRef.h\"\n" +
-            example);
+    writeFile(folder / "example.cpp",
+              "#include <doctest/doctest.h>\n#include \"course/PatchMesh.h\"\n"
+              "#include \"course/ProgRef.h\"\n" +
+                  example);
     writeFile(folder / "build.sh", std::string("set -e\ncd \"$(dirname \"$0\")\"\n") + RADLAB_EXAMPLE_COMPILER +
                                        " -std=c++20 -I" RADLAB_SOURCE_DIR "/framework -I" RADLAB_SOURCE_DIR
                                        "/framework/course example.cpp ProgRef.cpp " RADLAB_EXAMPLE_LIBRARIES

@@ -19,7 +19,7 @@ using namespace radlab::grader;
 namespace {
 
 struct Row {
-    int wrong = 0, caught = 0, alone = 0, nameable = 0, named = 0, right = 0, kept = 0, steady = 0;
+    int wrong = 0, caught = 0, alone = 0, nameable = 0, named = 0, right = 0, kept = 0, steady = 0, sameMarks = 0;
 };
 
 // What a verdict says of the stage that a mutant changes.
@@ -58,9 +58,17 @@ struct Judged {
     std::map<std::string, double> lost;
     std::vector<Verdict> verdicts;
 
+    // Right or wrong, and the same name, with every seed.
     bool steady() const {
-        return std::all_of(verdicts.begin(), verdicts.end(),
-                           [&](const Verdict& v) { return v == verdicts.front() && !v.error; });
+        const Verdict& first = verdicts.front();
+        return std::all_of(verdicts.begin(), verdicts.end(), [&](const Verdict& v) {
+            return v.failing.empty() == first.failing.empty() && v.name == first.name && !v.error;
+        });
+    }
+
+    // The same checks failing, too, so the same marks.
+    bool sameMarks() const {
+        return std::all_of(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return v == verdicts.front(); });
     }
 };
 
@@ -92,7 +100,7 @@ public:
     bool print() const {
         std::cout << "| stage | wrong | lost marks there | and in no other | to name | named | right | kept all | same "
                      "for all seeds |\n"
-                     "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+                     "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
         Row sum;
         for (const ManifestStage& stage : manifest.stages)
             if (const auto found = rows.find(stage.stage); found != rows.end()) {
@@ -108,7 +116,7 @@ private:
     static void print(const std::string& name, const Row& row) {
         std::cout << "| " << name << " | " << row.wrong << " | " << row.caught << " | " << row.alone << " | "
                   << row.nameable << " | " << row.named << " | " << row.right << " | " << row.kept << " | "
-                  << row.steady << " of " << row.wrong + row.right << " |\n";
+                  << row.steady << " of " << row.wrong + row.right << " | " << row.sameMarks << " |\n";
     }
 
     static void add(Row& sum, const Row& row) {
@@ -120,6 +128,7 @@ private:
         sum.right += row.right;
         sum.kept += row.kept;
         sum.steady += row.steady;
+        sum.sameMarks += row.sameMarks;
     }
 
     // The other stages are those of the solution: one seed is enough for them.
@@ -147,6 +156,7 @@ private:
         const bool named = std::count(mutant.names.begin(), mutant.names.end(), name) > 0;
         Row& row = rows[mutant.stage];
         row.steady += all.steady();
+        row.sameMarks += all.sameMarks();
         bool asWanted = all.steady();
         if (mutant.wrong) {
             const bool caught = all.lost.count(mutant.stage) > 0, alone = all.lost.size() == (caught ? 1u : 0u);

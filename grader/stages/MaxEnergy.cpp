@@ -1,8 +1,8 @@
 // Stage 1, maxenergy_patch: which patch is the brightest.
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "grader/stages/Meshes.h"
 #include "grader/stages/Stage.h"
