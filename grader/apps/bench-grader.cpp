@@ -99,7 +99,8 @@ public:
 
     bool print() const {
         std::cout << "| stage | wrong | lost marks there | and in no other | to name | named | right | kept all | same "
-                     "for all seeds |\n"
+                     "verdict "
+                     "for all seeds | same marks |\n"
                      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
         Row sum;
         for (const ManifestStage& stage : manifest.stages)

@@ -44,6 +44,15 @@ double cosineAt(const MyPolygon& to, const MyPolygon& from) {
     return distance > 0.0 ? std::max(glm::dot(glm::dvec3(to.normal), between / distance), 0.0) : 0.0;
 }
 
+// At right angles, rounding decides.
+void keepOpposite(Shot& shot) {
+    for (std::size_t j = 0; j < shot.row.values.size(); ++j) {
+        const float cosine = dot(shot.from().normal, shot.at.before.patches[j].normal);
+        if (std::abs(cosine) < 1e-6f) shot.row.slack[j] = unknown;
+        if (cosine >= 0.0f) shot.row.values[j] = 0.0;
+    }
+}
+
 std::vector<Mistake> factors(const Ways& ways) {
     const std::string whole =
         "The sum of the delta form factors is the form factor already: cosines, distance and 1/π are in it.";
@@ -84,10 +93,7 @@ std::vector<Mistake> factors(const Ways& ways) {
          "Patches whose normal is within 90° of the shooter's are left out. But two slopes can see each other: what "
          "the "
          "hemicube shows is seen.",
-         "Must two patches have opposite normals to see each other?",
-         ways.times([](const MyPolygon& from, const MyPolygon& to) {
-             return dot(from.normal, to.normal) < 0.0f ? 1.0 : 0.0;
-         })},
+         "Must two patches have opposite normals to see each other?", ways.finish(keepOpposite)},
         {"row-normalised",
          "The form factors are divided by their sum, so that they add up to 1. They do so in a closed scene; in an "
          "open "

@@ -112,7 +112,7 @@ TEST_CASE("calcFF: the first, the last and, of many, some patches of three bytes
             const Step& step = caseOf(checks, id, k).steps[0];
             return stage->right()[0]({*step.state, step, {}, nullptr});
         };
-        const Outcome few = row("hemi.few", 2), many = row("hemi.many", 2);
+        const Outcome few = row("hemi.few", 3), many = row("hemi.many", 2);
         const auto& fewPatches = few.state.patches;
         CHECK(fewPatches.front().formF > 10.0 * few.slack.front());
         CHECK(fewPatches.back().formF > 10.0 * few.slack.back());

@@ -69,10 +69,16 @@ State tiles(Random& random, int columns, int rows, Shape shape, bool backs = fal
     return state;
 }
 
-// Patches before and behind each other, in any order; up to `tilt` away from the z axis.
+// Patches before and behind each other, in any order; up to `tilt` away from the z axis. The first and the last one
+// are before all others.
 State heap(Random& random, int count, double tilt, double smallest, double largest) {
     State state;
-    for (int i = 0; i < count; ++i) {
+    const auto addTop = [&](float x) {
+        const auto turn = static_cast<float>(random.between(0, 6));
+        addPatch(state, rectangle(Vec3f(x, 0.0f, 1.35f), Vec3f(0.0f, 0.0f, 1.0f), 0.4f, 0.4f, turn));
+    };
+    addTop(-0.45f);
+    for (int i = 2; i < count; ++i) {
         const double angle = random.between(0, tilt), around = random.between(0, glm::two_pi<double>());
         const Vec3f normal(
             glm::dvec3(std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)));
@@ -83,6 +89,7 @@ State heap(Random& random, int count, double tilt, double smallest, double large
         addPatch(state, drawsTriangle(random, Shape::both) ? triangle(center, normal, width, height, turn)
                                                            : rectangle(center, normal, width, height, turn));
     }
+    addTop(0.45f);
     randomLight(random, state);
     return state;
 }
