@@ -78,9 +78,18 @@ std::vector<Mistake> indices(const Ways& ways) {
 
 // What a pixel gives ----------------------------------------------------------------------------
 
+// Many equal numbers, added up in floats, all round the same way.
+void allowEqualRounding(Shot& shot) {
+    for (std::size_t j = 0; j < shot.row.values.size(); ++j) shot.row.slack[j] += 2e-4 * shot.row.values[j];
+}
+
+// Each pixel counts 1, or 1 over a share of all pixels.
 Computation counted(const Ways& ways, float share) {
-    return ways.weight([share](int, int, int edge, float) {
-        return share == 0.0f ? 1.0f : 1.0f / (share * static_cast<float>(edge) * static_cast<float>(edge));
+    return ways.with([share](ShotWay& way) {
+        way.weight = [share](int, int, int edge, float) {
+            return share == 0.0f ? 1.0f : 1.0f / (share * static_cast<float>(edge) * static_cast<float>(edge));
+        };
+        way.finish = allowEqualRounding;
     });
 }
 
