@@ -9,6 +9,7 @@
 
 #include "base/WholeFile.h"
 #include "grader/apps/CompileReport.h"
+#include "grader/sandbox/Process.h"
 
 namespace radlab::grader {
 
@@ -52,6 +53,10 @@ const StageResult* firstOpen(const Result& result) {
     return nullptr;
 }
 
+std::string afterLast(const std::string& verdict) {
+    return verdict.empty() ? "" : "the last verdict, of the text before:\n" + verdict;
+}
+
 // Judges the open stage, and while it turns out right, the next one.
 Result judgeFrom(const FileChecker& checker, std::string& open) {
     for (;;) {
@@ -80,9 +85,10 @@ int watch(const FileChecker& checker, const ReportOptions& options) {
             if (exitCode(result) == 0 && result.stages.size() == checker.manifest().stages.size()) return 0;
         } catch (const CompileError& error) {
             announce("does not compile", options.color);
-            std::cout << compileReport(error.what(), checker.file());
-            if (!verdict.empty()) std::cout << "the last verdict, of the text before:\n" << verdict;
-            std::cout << std::flush;
+            std::cout << compileReport(error.what(), checker.file()) << afterLast(verdict) << std::flush;
+        } catch (const MachineError& error) {
+            announce("not judged", options.color);
+            std::cout << error.what() << '\n' << afterLast(verdict) << std::flush;
         }
     }
     return 0;

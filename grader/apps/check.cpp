@@ -14,6 +14,7 @@
 #include "grader/report/HtmlReport.h"
 #include "grader/report/JUnit.h"
 #include "grader/report/Terminal.h"
+#include "grader/sandbox/Process.h"
 
 using namespace radlab::grader;
 
@@ -81,6 +82,9 @@ int check(const Flags& flags) {
     } catch (const CompileError& error) {
         std::cout << compileReport(error.what(), flags.file);
         return 2;
+    } catch (const MachineError& error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 3;
     }
 }
 

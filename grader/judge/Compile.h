@@ -44,7 +44,7 @@ private:
 /// Compiles a submission into a shared library that the worker can load.
 ///
 /// @param library  the file to write
-/// Errors: CompileError; no such file; a compiler that takes too long.
+/// Errors: CompileError, also where the compiler takes too long; no such file; MachineError.
 /// @cost half a second where the precompiled header fits
 void compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,
                        const Toolchain& toolchain, const Manifest& manifest);

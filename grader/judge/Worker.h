@@ -20,6 +20,8 @@ struct WorkerRun {
 ///
 /// run.cause says why it ended before the last answer, in words that name the function.
 /// @param seconds of wall-clock time that it may take; six times that under the sanitizers
+///
+/// Errors: MachineError.
 WorkerRun runWorker(const std::filesystem::path& library, const std::vector<Step>& steps, const Toolchain& toolchain,
                     const Manifest& manifest, double seconds);
 

@@ -16,8 +16,9 @@
 #include <thread>
 #include <utility>
 
-#include "base/Error.h"
+#include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
+#include "grader/sandbox/ProcessorWait.h"
 
 namespace radlab::grader {
 
@@ -27,8 +28,9 @@ constexpr int answerDescriptor = 3;
 constexpr int firstFree = 10;         // ours stay out of the way of the four that the program gets
 constexpr int pollMilliseconds = 10;  // how late the end of a program is seen whose children hold its output
 constexpr int cannotStart = 127;
+constexpr double mostWaiting = 5.0;  // limits of time that a program may wait for a processor
 
-[[noreturn]] void fail(const std::string& what) { throw Error(what + ": " + std::strerror(errno)); }
+[[noreturn]] void fail(const std::string& what) { throw MachineError(what + ": " + std::strerror(errno)); }
 
 // A descriptor of ours, closed when it goes.
 class Descriptor {
@@ -108,7 +110,12 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 class Running {
 public:
     Running(const Command& command, std::string_view toSend, const ProcessLimits& within)
-        : input(toSend), limits(within), in(makePipe()), out(makePipe()), answer(makePipe()) {
+        : program(command.arguments[0]),
+          input(toSend),
+          limits(within),
+          in(makePipe()),
+          out(makePipe()),
+          answer(makePipe()) {
         const std::vector<char*> arguments = pointers(command.arguments), environment = pointers(command.environment);
         process = vfork();  // a copy of the judge's page tables would take longer than many a check
         if (process < 0) fail("no process could be made");
@@ -129,10 +136,7 @@ public:
 
     Ended finish() {
         while (!hasEnded()) {
-            if (limits.seconds > 0 && watch.seconds() > limits.seconds) {
-                ended.how = Ended::How::timedOut;
-                break;
-            }
+            if (limits.seconds > 0 && isOverdue()) break;
             exchange(pollMilliseconds);
         }
         kill(-process, SIGKILL);
@@ -148,6 +152,17 @@ private:
         reaped = true;
         ended.how = WIFSIGNALED(status) ? Ended::How::signalled : Ended::How::exited;
         ended.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+        return true;
+    }
+
+    bool isOverdue() {
+        const double now = watch.seconds();
+        wait.look(process, now);
+        if (wait.seconds() > mostWaiting * limits.seconds)
+            throw MachineError("this machine is too busy: " + program + " waited for a processor for " +
+                               durationText(wait.seconds()) + "; run it again with fewer programs beside it");
+        if (now - wait.seconds() <= limits.seconds) return false;
+        ended.how = Ended::How::timedOut;
         return true;
     }
 
@@ -188,9 +203,11 @@ private:
         }
     }
 
+    std::string program;
     std::string_view input;
     const ProcessLimits& limits;
     Stopwatch watch;
+    ProcessorWait wait;
     Pipe in, out, answer;
     pid_t process = -1;
     bool reaped = false;
@@ -206,7 +223,7 @@ Ended run(const Command& command, std::string_view input, const ProcessLimits& l
     if (access(command.arguments[0].c_str(), X_OK) != 0) fail(command.arguments[0] + ": cannot be started");
     Ended ended = Running(command, input, limits).finish();
     if (ended.how == Ended::How::exited && ended.code == cannotStart && ended.answer.empty() && ended.output.empty())
-        throw Error(command.arguments[0] + ": could not be started");
+        throw MachineError(command.arguments[0] + ": could not be started");
     return ended;
 }
 

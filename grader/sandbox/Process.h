@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/Error.h"
+
 namespace radlab::grader {
 
 /// A program to run: nothing of this process's environment reaches it but what is named here.
@@ -16,7 +18,7 @@ struct Command {
 
 /// What a program may use. A limit of 0 is none.
 struct ProcessLimits {
-    double seconds = 10.0;                      ///< of wall-clock time
+    double seconds = 10.0;                      ///< of wall-clock time, without what it waited for a processor
     std::size_t memory = std::size_t{4} << 30;  ///< bytes of address space
     std::size_t file = 0;                       ///< bytes of the largest file that it may write
     std::size_t output = 64 << 10;              ///< bytes kept of what it prints; the rest is thrown away
@@ -28,7 +30,7 @@ struct Ended {
     enum class How {
         exited,     ///< code is its exit code
         signalled,  ///< code is the signal
-        timedOut,   ///< it was stopped at the limit
+        timedOut,   ///< it was stopped at the limit of time
     };
     How how = How::exited;
     int code = 0;
@@ -38,14 +40,21 @@ struct Ended {
     double seconds = 0.0;
 };
 
+/// The program cannot be started, or this machine lacks processes, descriptors or the time to run it: not the program's fault.
+class MachineError : public Error {
+public:
+    using Error::Error;
+};
+
 /// Runs a program in a process group of its own, feeds it, and waits for its end.
 ///
 /// It starts with standard input (which brings `input`), output and error, and descriptor 3 (which takes its answer), and no other;
 /// it gains no privileges, dumps no core, and goes with this process. At its end, or at the limit of time, its whole group is
-/// killed; what a process that left the group still prints is not waited for.
+/// killed; what a process that left the group still prints is not waited for. On a busy machine it may wait for a processor for
+/// up to five times its limit of time.
 /// May be called by several threads at once.
 ///
-/// Errors: the program cannot be started, or this machine lacks processes or descriptors.
+/// Errors: MachineError.
 Ended run(const Command& command, std::string_view input, const ProcessLimits& limits);
 
 /// Which of the ways to keep a program in its box `run` has, for the result file.

@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
-#include "base/Error.h"
 #include "base/Stopwatch.h"
+#include "base/TestFolder.h"
 
 using namespace radlab;
 using namespace radlab::grader;
@@ -19,6 +19,29 @@ namespace {
 Ended shell(const std::string& script, const std::string& input = "", const ProcessLimits& limits = {}) {
     return run({{"/bin/sh", "-c", script}}, input, limits);
 }
+
+const std::string onThatProcessor =
+    "cpu=$(taskset -cp $$ | sed 's/.*: //; s/[-,].*//'); taskset -cp $cpu $$ > /dev/null; ";
+const std::string loops = "i=0; while [ $((i += 1)) -le 16 ]; do (while :; do :; done) & done; ";
+
+// Sixteen programs on one processor, from its making on and for some seconds.
+class BusyProcessor {
+public:
+    explicit BusyProcessor(double seconds) {
+        limits.seconds = seconds;
+        const std::string flag = (folder / "begun").string();
+        running = std::thread([this, flag] { shell(onThatProcessor + loops + ": > " + flag + "; wait", "", limits); });
+        while (!std::filesystem::exists(flag)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ~BusyProcessor() { running.join(); }
+    BusyProcessor(const BusyProcessor&) = delete;
+    BusyProcessor& operator=(const BusyProcessor&) = delete;
+
+private:
+    test::Folder folder;
+    ProcessLimits limits;
+    std::thread running;
+};
 
 }  // namespace
 
@@ -45,6 +68,29 @@ TEST_CASE("a signal is named, a program without end is stopped") {
     const Ended stopped = shell("echo begun; while :; do :; done", "", limits);
     CHECK(stopped.how == Ended::How::timedOut);
     CHECK(stopped.output == "begun\n");
+}
+
+TEST_CASE("waiting for a processor is not running: it has a limit of its own") {
+    ProcessLimits limits;
+    limits.seconds = 1.0;
+    {
+        const BusyProcessor busy(1.5);
+        const Ended late =
+            shell(onThatProcessor + "i=0; while [ $((i += 1)) -le 80000 ]; do :; done; exit 7", "", limits);
+        CHECK(late.how == Ended::How::exited);
+        CHECK(late.code == 7);
+        CHECK(late.seconds > limits.seconds);
+    }
+    limits.seconds = 0.3;
+    const BusyProcessor busy(4.0);
+    CHECK_THROWS_AS(shell(onThatProcessor + "exec nice -n 19 sh -c 'while :; do :; done'", "", limits), MachineError);
+}
+
+TEST_CASE("a program that keeps the processors from itself by its own children is stopped at its limit") {
+    ProcessLimits limits;
+    limits.seconds = 0.5;
+    CHECK(shell(onThatProcessor + loops + "exec nice -n 19 sh -c 'while :; do :; done'", "", limits).how ==
+          Ended::How::timedOut);
 }
 
 TEST_CASE("output is cut where it is too long, and a flood does not fill the memory") {
@@ -100,4 +146,6 @@ TEST_CASE("several programs run at once without seeing each other") {
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].output == "0 1 2 3 4 " + std::to_string(i));
 }
 
-TEST_CASE("a program that is not there is an Error") { CHECK_THROWS_AS(run({{"/nowhere/program"}}, "", {}), Error); }
+TEST_CASE("a program that is not there is an error of the machine") {
+    CHECK_THROWS_AS(run({{"/nowhere/program"}}, "", {}), MachineError);
+}
