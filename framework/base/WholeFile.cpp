@@ -17,27 +17,35 @@ std::filesystem::path nameBeside(const std::filesystem::path& file) {
     return file.string() + "." + std::to_string(random()) + ".part";
 }
 
+// A new file beside the one to write; gone again unless it was renamed.
+struct PartFile {
+    explicit PartFile(const std::filesystem::path& file) : path(nameBeside(file)) {}
+    ~PartFile() {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+    const std::filesystem::path path;
+};
+
 }  // namespace
 
 void writeFile(const std::filesystem::path& file, std::string_view contents) {
-    const std::filesystem::path part = nameBeside(file);
-    std::error_code ignored;
-    {
-        std::ofstream out(part, std::ios::binary);
-        if (!out) throw Error({file.string()}, "cannot be written: is there such a folder, and may you write there?");
-        out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-        out.close();
-        if (!out) {
-            std::filesystem::remove(part, ignored);
-            throw Error({file.string()}, "writing stopped half-way: is the disk full?");
-        }
-    }
+    writeFile(file,
+              [&](std::ostream& out) { out.write(contents.data(), static_cast<std::streamsize>(contents.size())); });
+}
+
+void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+    PartFile part(file);
+    std::ofstream out(part.path, std::ios::binary);
+    if (!out) throw Error({file.string()}, "cannot be written: is there such a folder, and may you write there?");
+    write(out);
+    out.close();
+    if (!out) throw Error({file.string()}, "writing stopped half-way: is the disk full?");
     std::error_code failure;
-    std::filesystem::rename(part, file, failure);
-    if (failure) {
-        std::filesystem::remove(part, ignored);
-        throw Error({file.string()}, "cannot be written: " + failure.message());
-    }
+    std::filesystem::rename(part.path, file, failure);
+    if (failure) throw Error({file.string()}, "cannot be written: " + failure.message());
 }
 
 std::string readFile(const std::filesystem::path& file) {

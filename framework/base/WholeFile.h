@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,11 @@ namespace radlab {
 ///
 /// Errors: a folder that does not exist or cannot be written, a full disk; the older file is then left as it was.
 void writeFile(const std::filesystem::path& file, std::string_view contents);
+
+/// The same for contents that are not to be held in memory: `write` puts them into the stream, piece by piece.
+///
+/// Where it throws, nothing is written and the older file is left as it was.
+void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 /// The contents of a file.
 ///

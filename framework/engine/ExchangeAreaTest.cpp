@@ -5,40 +5,31 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/PointFormFactor.h"
+#include "engine/EngineTestHelp.h"
 
 using namespace radlab::engine;
+using namespace radlab::test;
 using doctest::Approx;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Polygon square(const Point& corner, const Point& u, const Point& v) {
-    return Polygon({corner, corner + u, corner + u + v, corner + v});
-}
-
-Polygon facing(double width, double height, double distance) {
-    return square(Point(0, 0, distance), Point(0, height, 0), Point(width, 0, 0));
-}
-
 double formFactor(const Polygon& from, const Polygon& to) { return exchangeArea(from, to) / from.area; }
 
 // Parallel w x h rectangles at distance 1.
-double parallel(double x, double y) {
-    return formFactor(square(Point(0), Point(x, 0, 0), Point(0, y, 0)), facing(x, y, 1.0));
-}
+double parallel(double x, double y) { return formFactor(onFloor(0, 0, x, y), onCeiling(0, 0, 1, x, y)); }
 
 // A floor w wide and a wall h high that share an edge of length 1.
 double perpendicular(double w, double h) {
-    return formFactor(square(Point(0), Point(w, 0, 0), Point(0, 1, 0)),
-                      square(Point(0), Point(0, 1, 0), Point(0, 0, h)));
+    return formFactor(parallelogram(Point(0), Point(w, 0, 0), Point(0, 1, 0)),
+                      parallelogram(Point(0), Point(0, 1, 0), Point(0, 0, h)));
 }
 
 double wedge(double degrees) {
     const double angle = degrees * pi / 180.0;
-    return formFactor(square(Point(0), Point(1, 0, 0), Point(0, 1, 0)),
-                      square(Point(0), Point(0, 1, 0), Point(std::cos(angle), 0, std::sin(angle))));
+    return formFactor(parallelogram(Point(0), Point(1, 0, 0), Point(0, 1, 0)),
+                      parallelogram(Point(0), Point(0, 1, 0), Point(std::cos(angle), 0, std::sin(angle))));
 }
 
 }  // namespace
@@ -71,21 +62,6 @@ TEST_CASE("exchange area: skew triangles") {
 }
 
 namespace {
-
-// On the floor z = 0, seen from above.
-Polygon onFloor(double x, double y, double width, double depth) {
-    return square(Point(x, y, 0), Point(width, 0, 0), Point(0, depth, 0));
-}
-
-// On the plane x = 0, seen from the side of growing x.
-Polygon onWall(double y, double z, double width, double height) {
-    return square(Point(0, y, z), Point(0, width, 0), Point(0, 0, height));
-}
-
-// Below z, seen from below.
-Polygon onCeiling(double x, double y, double z, double width, double depth) {
-    return square(Point(x, y, z), Point(0, depth, 0), Point(width, 0, 0));
-}
 
 struct Row {
     const char* what;
@@ -152,11 +128,11 @@ TEST_CASE("exchange area: the whole is the sum of its parts, at any distance and
             CAPTURE(angle);
             const Polygon a = onFloor(distance, 0, 1, 1);
             const Point up(-std::cos(angle), 0.2, std::sin(angle)), along(0, 1, 0);
-            const Polygon whole = square(Point(0), along, up);
+            const Polygon whole = parallelogram(Point(0), along, up);
             double sum = 0.0;
             for (const double i : {0.0, 0.5})
                 for (const double j : {0.0, 0.5})
-                    sum += exchangeArea(a, square(i * along + j * up, 0.5 * along, 0.5 * up));
+                    sum += exchangeArea(a, parallelogram(i * along + j * up, 0.5 * along, 0.5 * up));
             CHECK(exchangeArea(a, whole) == Approx(sum).epsilon(1e-10));
             CHECK(exchangeArea(whole, a) == Approx(sum).epsilon(1e-10));
             CHECK(sum > 0.0);
@@ -205,12 +181,7 @@ TEST_CASE("exchange area: neither the place nor the unit of length matters") {
 
 TEST_CASE("exchange area: six sides of a box close, whatever its shape") {
     for (const double height : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
-        const Polygon sides[] = {onFloor(0, 0, 1, 2),
-                                 onCeiling(0, 0, height, 1, 2),
-                                 onWall(0, 0, 2, height),
-                                 square(Point(1, 0, 0), Point(0, 0, height), Point(0, 2, 0)),
-                                 square(Point(0), Point(0, 0, height), Point(1, 0, 0)),
-                                 square(Point(0, 2, 0), Point(1, 0, 0), Point(0, 0, height))};
+        const std::vector<Polygon> sides = boxSides(1, 2, height);
         for (const Polygon& from : sides) {
             double sum = 0.0;
             for (const Polygon& to : sides) sum += formFactor(from, to);

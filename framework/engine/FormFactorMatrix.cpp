@@ -1,0 +1,125 @@
+#include "engine/FormFactorMatrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <tbb/parallel_for.h>
+
+#include "base/Memory.h"
+
+namespace radlab::engine {
+
+namespace {
+
+constexpr double closedWithin = 0.02;
+constexpr int mostRounds = 1000;
+constexpr double enough = 1e-12;
+
+std::vector<double> sumsOf(const FormFactorMatrix& matrix, const std::vector<double>& weights) {
+    std::vector<double> sums(matrix.size());
+    tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+        const double* row = matrix.row(i);
+        double sum = 0.0;
+        for (std::size_t j = 0; j < matrix.size(); ++j) sum += weights[j] * row[j];
+        sums[i] = sum;
+    });
+    return sums;
+}
+
+std::vector<double> rowSums(const FormFactorMatrix& matrix) {
+    return sumsOf(matrix, std::vector<double>(matrix.size(), 1.0));
+}
+
+void makeReciprocal(FormFactorMatrix& matrix) {
+    const std::vector<double>& areas = matrix.areas();
+    tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+        for (std::size_t j = i + 1; j < matrix.size(); ++j) {
+            const double exchange = 0.5 * (areas[i] * matrix.at(i, j) + areas[j] * matrix.at(j, i));
+            matrix.at(i, j) = areas[i] > 0.0 ? exchange / areas[i] : 0.0;
+            matrix.at(j, i) = areas[j] > 0.0 ? exchange / areas[j] : 0.0;
+        }
+    });
+}
+
+bool isClosed(const std::vector<double>& sums) {
+    double mean = 0.0;
+    for (const double sum : sums) mean += sum / static_cast<double>(sums.size());
+    return std::abs(mean - 1.0) <= closedWithin;
+}
+
+double deviation(const std::vector<double>& sums, const std::vector<double>& targets) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        if (sums[i] > 0.0) worst = std::max(worst, std::abs(sums[i] - targets[i]));
+    return worst;
+}
+
+}  // namespace
+
+FormFactorMatrix::FormFactorMatrix(const std::vector<Polygon>& patches) {
+    const auto count = static_cast<double>(patches.size());
+    requireMemory(count * count * sizeof(double), "the form factors of " + std::to_string(patches.size()) + " patches",
+                  "take larger patches");
+    for (const Polygon& patch : patches) patchAreas.push_back(patch.area);
+    factors.resize(patches.size() * patches.size());
+}
+
+MatrixQuality qualityOf(const FormFactorMatrix& matrix) {
+    MatrixQuality quality;
+    const std::size_t count = matrix.size();
+    if (count == 0) return quality;
+    const std::vector<double> sums = rowSums(matrix);
+    const auto highest = std::max_element(sums.begin(), sums.end());
+    quality.highestSum = *highest;
+    quality.highestRow = static_cast<std::size_t>(highest - sums.begin());
+    quality.lowestSum = *std::min_element(sums.begin(), sums.end());
+    for (const double sum : sums) quality.meanSum += sum / static_cast<double>(count);
+    const std::vector<double>& areas = matrix.areas();
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const double smaller = std::min(areas[i], areas[j]);
+            if (smaller <= 0.0) continue;
+            const double off = std::abs(areas[i] * matrix.at(i, j) - areas[j] * matrix.at(j, i)) / smaller;
+            if (off <= quality.reciprocity) continue;
+            quality.reciprocity = off;
+            quality.worstI = i;
+            quality.worstJ = j;
+        }
+    return quality;
+}
+
+std::string describe(const MatrixQuality& quality) {
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "rows add up to %.6g at least, %.6g on average, %.6g at most (patch %zu)\n"
+                  "reciprocity holds within %.2g (worst: patches %zu and %zu)",
+                  quality.lowestSum, quality.meanSum, quality.highestSum, quality.highestRow, quality.reciprocity,
+                  quality.worstI, quality.worstJ);
+    return text;
+}
+
+double enforceLaws(FormFactorMatrix& matrix) {
+    std::vector<double> scale(matrix.size(), 1.0), targets(matrix.size(), 1.0);
+    const bool closed = isClosed(rowSums(matrix));
+    makeReciprocal(matrix);
+    std::vector<double> sums = rowSums(matrix);
+    if (!closed)
+        for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = std::min(sums[i], 1.0);
+    // The matrix sought is K·F·K with K diagonal: each round takes the mean, in logarithms, of the step that
+    // would set a row right and of none, which keeps the rounds from swinging.
+    double worst = deviation(sums, targets);
+    for (int round = 0; round < mostRounds && worst > enough; ++round) {
+        for (std::size_t i = 0; i < scale.size(); ++i)
+            if (sums[i] > 0.0) scale[i] *= std::sqrt(targets[i] / sums[i]);
+        sums = sumsOf(matrix, scale);
+        for (std::size_t i = 0; i < scale.size(); ++i) sums[i] *= scale[i];
+        worst = deviation(sums, targets);
+    }
+    tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+        for (std::size_t j = 0; j < matrix.size(); ++j) matrix.at(i, j) *= scale[i] * scale[j];
+    });
+    return worst;
+}
+
+}  // namespace radlab::engine

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/FormFactorMatrix.h"
+#include "engine/Geometry.h"
+
+namespace radlab::engine {
+
+/// The ways to find form factors.
+enum class Method {
+    point,       ///< centre to centre; wrong where patches are near, sees nothing hidden
+    polygon,     ///< from the centre to the whole polygon; sees nothing hidden
+    exact,       ///< polygon to polygon, 1e-12; sees nothing hidden
+    hemisphere,  ///< rays over the hemisphere: error √(F(1-F)/rays) or less; sees what is hidden
+    visibility,  ///< exact, times the share that shadow rays find visible
+    automatic,   ///< exact where nothing can hide anything, else visibility
+};
+
+/// The method of that name.
+///
+/// Errors: no such name.
+Method methodNamed(const std::string& name);
+std::string nameOf(Method method);
+
+struct FormFactorOptions {
+    Method method = Method::automatic;
+    bool occlusion = true;  ///< whether anything may hide anything: decides what `automatic` is
+    std::size_t rays =
+        0;  ///< of `hemisphere` from each patch, 4096 where 0; of `visibility` for each pair that is partly
+            ///< hidden, 256 where 0
+    std::function<void(std::size_t rows)>
+        progress;  ///< told how many rows are done, now and then, by one thread at a time
+};
+
+/// What a matrix was made with.
+struct FormFactorReport {
+    Method method = Method::automatic;  ///< never `automatic`
+    std::size_t rays = 0;               ///< traced in all: 0 where nothing may hide anything
+    double seconds = 0.0;
+};
+
+/// The form factors between all pairs of patches.
+///
+/// The same to the bit for any number of threads.
+///
+/// @cost point, polygon, exact, visibility: a function of pairs; hemisphere: rays from each patch. On all cores.
+/// Errors: more memory than there is.
+FormFactorMatrix formFactors(const Geometry& geometry, const FormFactorOptions& options,
+                             FormFactorReport* report = nullptr);
+
+}  // namespace radlab::engine

@@ -1,0 +1,42 @@
+#include "engine/Geometry.h"
+
+#include <numeric>
+
+namespace radlab::engine {
+
+namespace {
+
+std::vector<Polygon> facesOf(const Scene& scene) {
+    std::vector<Polygon> faces;
+    for (const Face& face : scene.faces) {
+        std::vector<Point> corners;
+        for (const int corner : face.corners) corners.emplace_back(scene.vertices[static_cast<std::size_t>(corner)]);
+        faces.emplace_back(std::move(corners));
+    }
+    return faces;
+}
+
+}  // namespace
+
+Geometry geometryOf(const Scene& scene, const PatchMesh& mesh) {
+    Geometry geometry;
+    geometry.faces = facesOf(scene);
+    for (const MyPolygon& patch : mesh.patches) {
+        std::vector<Point> corners;
+        for (int i = 0; i < patch.vertices; ++i)
+            corners.emplace_back(mesh.corners[static_cast<std::size_t>(patch.vertex[i])].position);
+        geometry.patches.emplace_back(std::move(corners));
+    }
+    geometry.faceOf.assign(mesh.faceOf.begin(), mesh.faceOf.end());
+    return geometry;
+}
+
+Geometry geometryOf(const Scene& scene) {
+    Geometry geometry;
+    geometry.faces = geometry.patches = facesOf(scene);
+    geometry.faceOf.resize(geometry.faces.size());
+    std::iota(geometry.faceOf.begin(), geometry.faceOf.end(), std::size_t{0});
+    return geometry;
+}
+
+}  // namespace radlab::engine

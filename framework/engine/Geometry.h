@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "course/PatchMesh.h"
+#include "engine/Polygon.h"
+#include "scene/Scene.h"
+
+namespace radlab::engine {
+
+/// The shapes of a scene in doubles: its patches, and the faces that they were cut from.
+struct Geometry {
+    std::vector<Polygon> patches;
+    std::vector<Polygon> faces;
+    std::vector<std::size_t> faceOf;  ///< for each patch
+};
+
+/// The patches of a mesh and the faces of its scene.
+///
+/// @pre the mesh was cut from this scene
+Geometry geometryOf(const Scene& scene, const PatchMesh& mesh);
+
+/// The faces themselves as the patches, in the file's order.
+Geometry geometryOf(const Scene& scene);
+
+}  // namespace radlab::engine

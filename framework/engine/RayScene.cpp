@@ -1,0 +1,130 @@
+#include "engine/RayScene.h"
+
+#include <algorithm>
+
+#include <embree3/rtcore.h>
+
+#include "base/Error.h"
+#include "engine/Triangles.h"
+
+namespace radlab::engine {
+
+namespace {
+
+constexpr double startsOff =
+    1e-6;  // of the scene's radius: below that, floats cannot tell a surface from its neighbour
+
+// What a filter is told beside Embree's own; the context comes first, so that a pointer to it is a pointer to this.
+struct Passing {
+    RTCIntersectContext context;
+    const std::size_t* polygonOf;
+    std::size_t first, second;  // polygons that the ray passes through
+};
+
+void passThrough(const RTCFilterFunctionNArguments* arguments) {
+    const auto* passing = reinterpret_cast<const Passing*>(arguments->context);
+    const std::size_t polygon = passing->polygonOf[RTCHitN_primID(arguments->hit, arguments->N, 0)];
+    if (polygon == passing->first || polygon == passing->second) arguments->valid[0] = 0;
+}
+
+RTCRay rayFrom(const Point& from, const Point& direction, double nearest, double farthest) {
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(from.x);
+    ray.org_y = static_cast<float>(from.y);
+    ray.org_z = static_cast<float>(from.z);
+    ray.dir_x = static_cast<float>(direction.x);
+    ray.dir_y = static_cast<float>(direction.y);
+    ray.dir_z = static_cast<float>(direction.z);
+    ray.tnear = static_cast<float>(nearest);
+    ray.tfar = static_cast<float>(farthest);
+    ray.mask = ~0u;
+    return ray;
+}
+
+}  // namespace
+
+struct RayScene::Tree {
+    RTCDevice device = rtcNewDevice("threads=1");
+    RTCScene scene = rtcNewScene(device);
+    double offset = 0.0;  // how far from its start a ray looks for hits
+
+    ~Tree() {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+    Tree() = default;
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+
+    void build(const std::vector<Triangle>& triangles, const Point& origin) {
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        const std::size_t count = triangles.size();
+        auto* corner = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                   RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
+        auto* index = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), count));
+        if (count > 0 && (!corner || !index)) throw Error("Embree found no memory for the scene's triangles");
+        unsigned next = 0;
+        for (const Triangle& triangle : triangles)
+            for (const Point& point : triangle) {
+                for (int axis = 0; axis < 3; ++axis) *corner++ = static_cast<float>(point[axis] - origin[axis]);
+                *index++ = next++;
+            }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        // Without it, one ray in eight slips through between two triangles that share an edge.
+        rtcSetSceneFlags(scene,
+                         static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+        rtcCommitScene(scene);
+    }
+
+    Passing passing(const std::vector<std::size_t>& polygonOf, std::size_t first, std::size_t second) const {
+        Passing made{{}, polygonOf.data(), first, second};
+        rtcInitIntersectContext(&made.context);
+        made.context.filter = passThrough;
+        return made;
+    }
+};
+
+RayScene::RayScene(const std::vector<Polygon>& polygons) : tree(std::make_unique<Tree>()) {
+    std::vector<Triangle> triangles;
+    Point low(0.0), high(0.0);
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+        for (const Triangle& triangle : trianglesOf(polygons[i])) {
+            for (const Point& point : triangle) {
+                low = triangles.empty() ? point : glm::min(low, point);
+                high = triangles.empty() ? point : glm::max(high, point);
+            }
+            triangles.push_back(triangle);
+            polygonOf.push_back(i);
+        }
+    origin = 0.5 * (low + high);
+    tree->offset = startsOff * 0.5 * glm::length(high - low);
+    tree->build(triangles, origin);
+}
+
+RayScene::~RayScene() = default;
+
+bool RayScene::hides(const Point& from, const Point& to, std::size_t first, std::size_t second) const {
+    const Point between = to - from;
+    const double near = tree->offset / glm::length(between);
+    if (!(near < 0.5)) return false;
+    RTCRay ray = rayFrom(from - origin, between, near, 1.0 - near);
+    Passing passing = tree->passing(polygonOf, first, second);
+    traced.fetch_add(1, std::memory_order_relaxed);
+    rtcOccluded1(tree->scene, &passing.context, &ray);
+    return ray.tfar < 0.0f;
+}
+
+std::size_t RayScene::firstHit(const Point& from, const Point& direction, std::size_t start) const {
+    RTCRayHit hit{};
+    hit.ray = rayFrom(from - origin, direction, tree->offset / glm::length(direction), 1e30);
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    Passing passing = tree->passing(polygonOf, start, start);
+    traced.fetch_add(1, std::memory_order_relaxed);
+    rtcIntersect1(tree->scene, &passing.context, &hit);
+    return hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nothing : polygonOf[hit.hit.primID];
+}
+
+}  // namespace radlab::engine

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "engine/Polygon.h"
+
+namespace radlab::engine {
+
+/// Polygons as rays meet them: opaque from both sides.
+///
+/// Rays run in floats, in a frame with its origin in the middle of the scene. May be asked by several threads at once.
+class RayScene {
+public:
+    static constexpr std::size_t nothing = static_cast<std::size_t>(-1);
+
+    /// @cost a tree over all triangles
+    explicit RayScene(const std::vector<Polygon>& polygons);
+    ~RayScene();
+    RayScene(const RayScene&) = delete;
+    RayScene& operator=(const RayScene&) = delete;
+
+    /// Whether anything but the two named polygons lies on the line between two points.
+    bool hides(const Point& from, const Point& to, std::size_t first, std::size_t second) const;
+
+    /// The polygon that a ray meets first, other than the one it starts from; `nothing` where it leaves the scene.
+    std::size_t firstHit(const Point& from, const Point& direction, std::size_t start) const;
+
+    /// How many rays were traced so far.
+    std::size_t rays() const { return traced; }
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree;
+    Point origin{0.0};
+    std::vector<std::size_t> polygonOf;  // of each triangle
+    mutable std::atomic<std::size_t> traced{0};
+};
+
+}  // namespace radlab::engine

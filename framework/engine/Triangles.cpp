@@ -1,0 +1,58 @@
+#include "engine/Triangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "course/FacePolygon.h"
+
+namespace radlab::engine {
+
+namespace {
+
+double areaOf(const Triangle& t) { return 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
+
+void addFan(std::vector<Triangle>& triangles, const std::vector<Point>& corners) {
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const Triangle triangle = {corners[0], corners[i], corners[i + 1]};
+        if (areaOf(triangle) > 0.0) triangles.push_back(triangle);
+    }
+}
+
+}  // namespace
+
+std::vector<Triangle> trianglesOf(const Polygon& polygon) {
+    std::vector<Triangle> triangles;
+    if (!(polygon.area > 0.0)) return triangles;
+    const Point& origin = polygon.center;
+    const Point helper = std::abs(polygon.normal.x) < 0.5 ? Point(1, 0, 0) : Point(0, 1, 0);
+    const Point x = glm::normalize(glm::cross(helper, polygon.normal)), y = glm::cross(polygon.normal, x);
+    Polygon2 flat;
+    for (const Point& corner : polygon.corners)
+        flat.emplace_back(glm::dot(corner - origin, x), glm::dot(corner - origin, y));
+    if (isConvex(flat)) {
+        addFan(triangles, polygon.corners);
+        return triangles;
+    }
+    for (const Polygon2& piece : convexPieces(flat)) {
+        std::vector<Point> corners;
+        for (const glm::dvec2& corner : piece) corners.push_back(origin + corner.x * x + corner.y * y);
+        addFan(triangles, corners);
+    }
+    return triangles;
+}
+
+AreaSampler::AreaSampler(const Polygon& polygon) : triangles(trianglesOf(polygon)) {
+    double sum = 0.0;
+    for (const Triangle& triangle : triangles) upTo.push_back(sum += areaOf(triangle));
+    for (double& share : upTo) share /= sum;
+}
+
+Point AreaSampler::at(double u, double v) const {
+    const auto found = std::upper_bound(upTo.begin(), upTo.end() - 1, u);
+    const double before = found == upTo.begin() ? 0.0 : *(found - 1);
+    const Triangle& t = triangles[static_cast<std::size_t>(found - upTo.begin())];
+    const double root = std::sqrt(std::clamp((u - before) / (*found - before), 0.0, 1.0));
+    return (1.0 - root) * t[0] + root * ((1.0 - v) * t[1] + v * t[2]);
+}
+
+}  // namespace radlab::engine

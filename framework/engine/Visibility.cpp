@@ -1,0 +1,43 @@
+#include "engine/Visibility.h"
+
+#include <algorithm>
+
+#include "engine/LowDiscrepancy.h"
+
+namespace radlab::engine {
+
+namespace {
+
+constexpr std::size_t firstRays = 16;
+
+}  // namespace
+
+Visibility::Visibility(const Geometry& shapes, std::size_t most)
+    : geometry(shapes), mostRays(std::max(most, firstRays)), shafts(shapes), scene(shapes.faces) {
+    for (const Polygon& patch : geometry.patches) samplers.emplace_back(patch);
+}
+
+double Visibility::visibleShare(std::size_t first, std::size_t second) const {
+    if (!shafts.mayBeHidden(first, second)) return 1.0;
+    const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
+    if (!(a.area > 0.0) || !(b.area > 0.0)) return 1.0;
+    const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
+    const std::uint64_t key = first * geometry.patches.size() + second;
+    double all = 0.0, visible = 0.0;
+    std::size_t cast = 0;
+    for (std::size_t k = 0; k < 4 * mostRays && cast < mostRays; ++k) {
+        const auto at = lowDiscrepancyPoint(key, k);
+        const Point from = samplers[first].at(at[0], at[1]), to = samplers[second].at(at[2], at[3]);
+        const Point between = to - from;
+        const double distance2 = glm::dot(between, between);
+        const double away = glm::dot(a.normal, between), towards = -glm::dot(b.normal, between);
+        if (away <= 0.0 || towards <= 0.0) continue;
+        const double carried = away * towards / (distance2 * distance2);
+        all += carried;
+        if (!scene.hides(from, to, faceA, faceB)) visible += carried;
+        if (++cast == firstRays && (visible == 0.0 || visible == all)) break;
+    }
+    return all > 0.0 ? visible / all : 1.0;
+}
+
+}  // namespace radlab::engine
