@@ -85,34 +85,48 @@ private:
         return found;
     }
 
-    void drawConvex(const ScreenPolygon& polygon, int index) const {
-        const Facing facing = style.cull == Cull::none ? Facing::front : polygon.facing();
-        if (culled(facing, style.cull)) return;
-        for (int y = polygon.first.y; y <= polygon.last.y; ++y)
-            for (int x = polygon.first.x; x <= polygon.last.x; ++x)
-                if (const Coverage found = coverage(polygon, facing, x, y); found.touched)
-                    sink({pixel(x, y), index, found});
+    // Which way a polygon faces, where that matters.
+    Facing facingOf(const ScreenPolygon& polygon) const {
+        return style.cull == Cull::none ? Facing::front : polygon.facing();
     }
 
+    void drawConvex(const ScreenPolygon& polygon, int index) const {
+        const Facing facing = facingOf(polygon);
+        if (culled(facing, style.cull)) return;
+        for (int y = polygon.first.y; y <= polygon.last.y; ++y) {
+            const glm::ivec2 row = polygon.row(y);
+            for (int x = row.x; x <= row.y; ++x)
+                if (const Coverage found = coverage(polygon, facing, x, y); found.touched)
+                    sink({pixel(x, y), index, found});
+        }
+    }
+
+    struct Piece {
+        ScreenPolygon polygon;
+        Facing facing;
+    };
+
     // The triangles of one way to cut a quadrilateral that are drawn.
-    std::vector<ScreenPolygon> triangles(const MyPolygon& patch, const int (&split)[2][3]) const {
-        std::vector<ScreenPolygon> found;
+    std::vector<Piece> triangles(const MyPolygon& patch, const int (&split)[2][3]) const {
+        std::vector<Piece> found;
         for (const auto& three : split) {
             ClipPolygon clipped;
             for (const int i : three) clipped.add(corner(patch, i));
             if (!clipped.cut()) continue;
             const ScreenPolygon polygon(clipped, view, style.subpixelBits);
-            if (!polygon.empty() && !culled(polygon.facing(), style.cull)) found.push_back(polygon);
+            if (polygon.empty()) continue;
+            if (const Facing facing = facingOf(polygon); !culled(facing, style.cull))
+                found.push_back({polygon, facing});
         }
         return found;
     }
 
-    Coverage unite(const std::vector<ScreenPolygon>& polygons, int x, int y) const {
+    Coverage unite(const std::vector<Piece>& pieces, int x, int y) const {
         Coverage all;
-        for (const ScreenPolygon& polygon : polygons) {
+        for (const auto& [polygon, facing] : pieces) {
             const glm::ivec2 at(x, y);
             if (at != glm::clamp(at, polygon.first, polygon.last)) continue;
-            const Coverage found = coverage(polygon, polygon.facing(), x, y);
+            const Coverage found = coverage(polygon, facing, x, y);
             if (!found.touched) continue;
             all.low = all.touched ? std::min(all.low, found.low) : found.low;
             all.high = all.touched ? std::max(all.high, found.high) : found.high;
@@ -124,18 +138,30 @@ private:
         return all;
     }
 
+    // The shortest range that holds both; one that is empty holds nothing.
+    static glm::ivec2 joined(const glm::ivec2& a, const glm::ivec2& b) {
+        if (a.x > a.y) return b;
+        if (b.x > b.y) return a;
+        return {std::min(a.x, b.x), std::max(a.y, b.y)};
+    }
+
     // A quadrilateral that is not convex on screen looks different by how OpenGL cuts it; it is certain where both ways
     // agree.
     void drawSplit(const MyPolygon& patch, int index) const {
-        const std::vector<ScreenPolygon> ways[2] = {triangles(patch, splits[0]), triangles(patch, splits[1])};
-        glm::ivec2 first(view.x + view.width, view.y + view.height), last(-1);
+        const std::vector<Piece> ways[2] = {triangles(patch, splits[0]), triangles(patch, splits[1])};
+        int firstRow = view.y + view.height, lastRow = -1;
         for (const auto& way : ways)
-            for (const ScreenPolygon& polygon : way) {
-                first = glm::min(first, polygon.first);
-                last = glm::max(last, polygon.last);
+            for (const Piece& piece : way) {
+                firstRow = std::min(firstRow, piece.polygon.first.y);
+                lastRow = std::max(lastRow, piece.polygon.last.y);
             }
-        for (int y = first.y; y <= last.y; ++y)
-            for (int x = first.x; x <= last.x; ++x) {
+        for (int y = firstRow; y <= lastRow; ++y) {
+            glm::ivec2 row(view.x + view.width, -1);
+            for (const auto& way : ways)
+                for (const Piece& piece : way)
+                    if (y >= piece.polygon.first.y && y <= piece.polygon.last.y)
+                        row = joined(row, piece.polygon.row(y));
+            for (int x = row.x; x <= row.y; ++x) {
                 const Coverage one = unite(ways[0], x, y), other = unite(ways[1], x, y);
                 if (!one.touched && !other.touched) continue;
                 Coverage both = one.touched ? one : other;
@@ -147,6 +173,7 @@ private:
                 both.certain = one.certain && other.certain;
                 sink({pixel(x, y), index, both});
             }
+        }
     }
 
     const State& state;
@@ -191,9 +218,10 @@ public:
         double& limit = nearest[fragment.pixel];
         if (depthTest && coverage.low > limit) return;
         if (coverage.certain) {
-            limit = std::min(limit, coverage.high);
             filled[fragment.pixel] = 1;
-            dropHidden(fragment.pixel);
+            const bool nearer = coverage.high < limit;
+            limit = std::min(limit, coverage.high);
+            if (nearer || !depthTest) dropHidden(fragment.pixel);  // else it hides nothing that was not hidden
         }
         int& head = pixelHeads[fragment.pixel];
         head = keep({fragment.patch, head, coverage.inside, coverage.depth, coverage.low});

@@ -165,6 +165,18 @@ ScreenPolygon::Facing ScreenPolygon::facing() const {
     return doubledArea > 0.0 ? Facing::front : Facing::back;
 }
 
+glm::ivec2 ScreenPolygon::row(int y) const {
+    double from = first.x, to = last.x;
+    for (std::size_t i = 0; i < edgeCount; ++i) {
+        const Edge& edge = edges[i];
+        const double rest = edge.b * (y + 0.5) + edge.c + margin;
+        if (edge.a > 0.0) from = std::max(from, std::floor(-rest / edge.a - 0.5));
+        if (edge.a < 0.0) to = std::min(to, std::ceil(-rest / edge.a - 0.5));
+    }
+    if (from > to) return {0, -1};
+    return {static_cast<int>(from), static_cast<int>(to)};
+}
+
 Coverage ScreenPolygon::coverage(double x, double y) const {
     Coverage found;
     double distance = edgeCount == 0 ? 0.0 : INFINITY;

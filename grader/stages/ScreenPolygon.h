@@ -87,6 +87,11 @@ public:
     /// The pixels that can be touched: first to last, both included.
     glm::ivec2 first{0}, last{-1};
 
+    /// The pixels of a row among them, from x to y, both included, and perhaps one more on either side.
+    ///
+    /// @pre convex, and the row is in the box
+    glm::ivec2 row(int y) const;
+
 private:
     struct Edge {
         double a, b, c;  // a·x + b·y + c is the distance inside, in pixels, where |a| + |b| = 1

@@ -1,0 +1,55 @@
+#!/bin/sh
+# Tests of the program formfactors as its user sees it: FormFactorsTest.sh PROGRAM PROJECT CLAIM
+set -eu
+program=$1 project=$2 claim=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+wrong() { echo "$claim: $*" >&2; exit 1; }
+run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
+exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
+says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+
+case $claim in
+    "the faces of a closed cube see each other as the closed form says")
+        for method in exact auto visibility; do
+            run "$project/resources/scenes/furnace.x3d" --faces --method $method -o F.csv
+            exits 0
+            says out 'no occlusion'
+            [ "$(grep -c '^#' F.csv)" -ge 4 ] || wrong "no comment: $(cat F.csv)"
+            grep -v '^#' F.csv | awk -F, '
+                NF != 6 { exit 1 }
+                { for (i = 1; i <= 6; ++i) {
+                      off = $i - (i == NR ? 0 : 0.2)
+                      if (off > 0.0002 || off < -0.0002) exit 1
+                      sum += $i } }
+                END { if (NR != 6 || sum < 5.9999999999 || sum > 6.0000000001) exit 1 }' || wrong "$(cat F.csv)"
+        done
+        ;;
+    "what is wrong is said before any work, with exit code 2, and leaves no file")
+        run "$project/resources/scenes/furnace.x3d" -o F.txt
+        exits 2
+        says err "'.txt', expected .csv or .npy"
+        run "$project/resources/scenes/furnace.x3d" -o F.csv --method exakt
+        exits 2
+        says err "'exakt', expected one of point, polygon, exact"
+        run absent.x3d -o F.csv
+        exits 2
+        says err 'absent.x3d: '
+        run "$project/resources/scenes/furnace.x3d" -o F.csv --patch-size 0
+        exits 2
+        run "$project/resources/scenes/furnace.x3d" -o F.csv --patch-size 1e-4
+        exits 2
+        [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
+        ;;
+    "settings name the scene and the size of the patches, rays see what is hidden, both laws can be enforced")
+        run "$project/resources/demo/furnished.xml" -o F.npy --rays 64 --enforce
+        exits 0
+        says out 'method visibility'
+        says out 'reciprocity holds within'
+        says out 'both laws enforced'
+        [ "$(head -c 6 F.npy | tail -c 5)" = NUMPY ] || wrong "no NumPy file"
+        ;;
+    *) wrong "no such claim" ;;
+esac
