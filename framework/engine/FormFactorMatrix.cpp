@@ -16,6 +16,16 @@ constexpr double closedWithin = 0.02;
 constexpr int mostRounds = 1000;
 constexpr double enough = 1e-12;
 
+// All pairs i < j, tile by tile: both F(i→j) and F(j→i) are then near in memory.
+template <class Visit>
+void forPairs(std::size_t count, const Visit& visit) {
+    constexpr std::size_t tile = 64;
+    for (std::size_t top = 0; top < count; top += tile)
+        for (std::size_t left = top; left < count; left += tile)
+            for (std::size_t i = top; i < std::min(top + tile, count); ++i)
+                for (std::size_t j = std::max(left, i + 1); j < std::min(left + tile, count); ++j) visit(i, j);
+}
+
 std::vector<double> sumsOf(const FormFactorMatrix& matrix, const std::vector<double>& weights) {
     std::vector<double> sums(matrix.size());
     tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
@@ -29,17 +39,6 @@ std::vector<double> sumsOf(const FormFactorMatrix& matrix, const std::vector<dou
 
 std::vector<double> rowSums(const FormFactorMatrix& matrix) {
     return sumsOf(matrix, std::vector<double>(matrix.size(), 1.0));
-}
-
-void makeReciprocal(FormFactorMatrix& matrix) {
-    const std::vector<double>& areas = matrix.areas();
-    tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
-        for (std::size_t j = i + 1; j < matrix.size(); ++j) {
-            const double exchange = 0.5 * (areas[i] * matrix.at(i, j) + areas[j] * matrix.at(j, i));
-            matrix.at(i, j) = areas[i] > 0.0 ? exchange / areas[i] : 0.0;
-            matrix.at(j, i) = areas[j] > 0.0 ? exchange / areas[j] : 0.0;
-        }
-    });
 }
 
 bool isClosed(const std::vector<double>& sums) {
@@ -76,16 +75,15 @@ MatrixQuality qualityOf(const FormFactorMatrix& matrix) {
     quality.lowestSum = *std::min_element(sums.begin(), sums.end());
     for (const double sum : sums) quality.meanSum += sum / static_cast<double>(count);
     const std::vector<double>& areas = matrix.areas();
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = i + 1; j < count; ++j) {
-            const double smaller = std::min(areas[i], areas[j]);
-            if (smaller <= 0.0) continue;
-            const double off = std::abs(areas[i] * matrix.at(i, j) - areas[j] * matrix.at(j, i)) / smaller;
-            if (off <= quality.reciprocity) continue;
-            quality.reciprocity = off;
-            quality.worstI = i;
-            quality.worstJ = j;
-        }
+    forPairs(count, [&](std::size_t i, std::size_t j) {
+        const double smaller = std::min(areas[i], areas[j]);
+        if (smaller <= 0.0) return;
+        const double off = std::abs(areas[i] * matrix.at(i, j) - areas[j] * matrix.at(j, i)) / smaller;
+        if (off <= quality.reciprocity) return;
+        quality.reciprocity = off;
+        quality.worstI = i;
+        quality.worstJ = j;
+    });
     return quality;
 }
 
@@ -97,6 +95,15 @@ std::string describe(const MatrixQuality& quality) {
                   quality.lowestSum, quality.meanSum, quality.highestSum, quality.highestRow, quality.reciprocity,
                   quality.worstI, quality.worstJ);
     return text;
+}
+
+void makeReciprocal(FormFactorMatrix& matrix) {
+    const std::vector<double>& areas = matrix.areas();
+    forPairs(matrix.size(), [&](std::size_t i, std::size_t j) {
+        const double exchange = 0.5 * (areas[i] * matrix.at(i, j) + areas[j] * matrix.at(j, i));
+        matrix.at(i, j) = areas[i] > 0.0 ? exchange / areas[i] : 0.0;
+        matrix.at(j, i) = areas[j] > 0.0 ? exchange / areas[j] : 0.0;
+    });
 }
 
 double enforceLaws(FormFactorMatrix& matrix) {

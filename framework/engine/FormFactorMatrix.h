@@ -42,9 +42,14 @@ MatrixQuality qualityOf(const FormFactorMatrix& matrix);
 /// The quality in two lines of words.
 std::string describe(const MatrixQuality& quality);
 
+/// Makes Ai·Fij = Aj·Fji hold by taking the mean of both; sums of rows change.
+///
+/// @cost one pass over the matrix
+void makeReciprocal(FormFactorMatrix& matrix);
+
 /// Makes both laws hold: Ai·Fij = Aj·Fji for all pairs, and rows that add up to 1, or to at most 1 in an open scene.
 ///
-/// Averages Ai·Fij with Aj·Fji, then multiplies rows and columns alike, again and again, until the sums are right: so zeros
+/// Makes the matrix reciprocal, then multiplies rows and columns alike, again and again, until the sums are right: so zeros
 /// stay zero, nothing becomes negative, and the pairs stay reciprocal all the way. A scene counts as closed where the mean sum is
 /// within 2 % of 1.
 ///

@@ -1,0 +1,194 @@
+#include "engine/Radiosity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <tbb/parallel_for.h>
+
+#include "base/Error.h"
+
+namespace radlab::engine {
+
+namespace {
+
+using Values = std::vector<double>;
+
+double dot(const Values& a, const Values& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+Values channelOf(const std::vector<Point>& colors, int channel) {
+    Values values;
+    for (const Point& color : colors) values.push_back(color[channel]);
+    return values;
+}
+
+[[noreturn]] void refuse(const FormFactorMatrix& matrix, const Values& reflectance, const std::string& why) {
+    double most = -1.0;
+    std::size_t patch = 0;
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < matrix.size(); ++j) sum += matrix.at(i, j);
+        if (reflectance[i] * sum <= most) continue;
+        most = reflectance[i] * sum;
+        patch = i;
+    }
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  ": of what leaves patch %zu, %.9g comes back to it as reflected light; expected less than 1 "
+                  "(smaller reflectances, or better form factors)",
+                  patch, most);
+    throw Error(why + text);
+}
+
+// The symmetric system of one channel.
+class System {
+public:
+    System(const FormFactorMatrix& factors, const Values& reflectance) : matrix(factors), scale(factors.size()) {
+        for (std::size_t i = 0; i < scale.size(); ++i) {
+            const double area = matrix.areas()[i];
+            scale[i] = area > 0.0 ? std::sqrt(reflectance[i] / area) : 0.0;
+        }
+    }
+
+    // √(ρ/A)·S·x
+    Values reflected(const Values& x) const {
+        Values result(matrix.size());
+        tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+            if (scale[i] == 0.0) return;
+            const double* row = matrix.row(i);
+            double sum = 0.0;
+            for (std::size_t j = 0; j < matrix.size(); ++j) sum += row[j] * x[j];
+            result[i] = scale[i] * matrix.areas()[i] * sum;
+        });
+        return result;
+    }
+
+    Values scaled(Values y) const {
+        for (std::size_t i = 0; i < y.size(); ++i) y[i] *= scale[i];
+        return y;
+    }
+
+    // What conjugate gradients need: (1 - M)·y.
+    Values apply(const Values& y) const {
+        Values result = reflected(scaled(y));
+        for (std::size_t i = 0; i < y.size(); ++i) result[i] = y[i] - result[i];
+        return result;
+    }
+
+private:
+    const FormFactorMatrix& matrix;
+    Values scale;
+};
+
+// xᵀ·A·F·y and yᵀ·A·F·x are the same for a reciprocal matrix; for another one they are not, unless by a rare chance.
+void requireReciprocal(const FormFactorMatrix& matrix) {
+    constexpr double within = 1e-9;
+    double there = 0.0, back = 0.0;
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        const double area = matrix.areas()[i], *row = matrix.row(i);
+        double towards = 0.0, away = 0.0;
+        for (std::size_t j = 0; j < matrix.size(); ++j) {
+            towards += row[j] * (1.0 + std::sin(double(j)));
+            away += row[j] * (1.0 + std::cos(double(j * j)));
+        }
+        there += area * (1.0 + std::cos(double(i * i))) * towards;
+        back += area * (1.0 + std::sin(double(i))) * away;
+    }
+    if (std::abs(there - back) > within * std::abs(there))
+        throw Error("these form factors are not reciprocal (Ai Fij and Aj Fji differ): make them so before solving");
+}
+
+struct Solved {
+    Values radiosity;
+    std::size_t iterations;
+    double residual;
+};
+
+Solved solveChannel(const FormFactorMatrix& matrix, const Values& emission, const Values& reflectance,
+                    const SolverOptions& options) {
+    const System system(matrix, reflectance);
+    Values y(matrix.size()), residual = system.reflected(emission), direction = residual;
+    const double wanted = options.tolerance * std::sqrt(dot(residual, residual));
+    double square = dot(residual, residual);
+    std::size_t iterations = 0;
+    for (; std::sqrt(square) > wanted; ++iterations) {
+        if (iterations == options.mostIterations) refuse(matrix, reflectance, "the light did not settle");
+        const Values applied = system.apply(direction);
+        const double curvature = dot(direction, applied);
+        if (!(curvature > 1e-14 * dot(direction, direction)))
+            refuse(matrix, reflectance, "the light in this scene never ends");
+        const double step = square / curvature;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            y[i] += step * direction[i];
+            residual[i] -= step * applied[i];
+        }
+        const double next = dot(residual, residual);
+        for (std::size_t i = 0; i < y.size(); ++i) direction[i] = residual[i] + next / square * direction[i];
+        square = next;
+    }
+    Solved solved{system.scaled(y), iterations, wanted > 0.0 ? std::sqrt(square) / wanted * options.tolerance : 0.0};
+    for (std::size_t i = 0; i < y.size(); ++i) solved.radiosity[i] += emission[i];
+    return solved;
+}
+
+bool isDark(const Values& emission) {
+    return std::all_of(emission.begin(), emission.end(), [](double e) { return e == 0.0; });
+}
+
+// By how much one channel's light is another's, or 0 where they are not in one proportion.
+double proportion(const Values& of, const Values& to) {
+    const auto lit = std::max_element(to.begin(), to.end());
+    const auto at = static_cast<std::size_t>(lit - to.begin());
+    const double ratio = of[at] / *lit;
+    for (std::size_t i = 0; i < of.size(); ++i)
+        if (std::abs(of[i] - ratio * to[i]) > 1e-12 * ratio * to[i]) return 0.0;
+    return ratio;
+}
+
+}  // namespace
+
+Surfaces surfacesOf(const PatchMesh& mesh) {
+    Surfaces surfaces;
+    for (const MyPolygon& patch : mesh.patches) {
+        surfaces.emission.emplace_back(patch.emissive);
+        surfaces.reflectance.emplace_back(patch.diffuse);
+    }
+    return surfaces;
+}
+
+std::vector<Point> solveRadiosity(const FormFactorMatrix& matrix, const Surfaces& surfaces,
+                                  const SolverOptions& options, SolverReport* report) {
+    RADLAB_CHECK(surfaces.emission.size() == matrix.size());
+    RADLAB_CHECK(surfaces.reflectance.size() == matrix.size());
+    requireReciprocal(matrix);
+    std::vector<Point> radiosity(matrix.size(), Point(0.0));
+    SolverReport made;
+    std::vector<int> solvedChannels;
+    for (int channel = 0; channel < 3; ++channel) {
+        const Values emission = channelOf(surfaces.emission, channel);
+        if (isDark(emission)) continue;
+        const Values reflectance = channelOf(surfaces.reflectance, channel);
+        const auto like = std::find_if(solvedChannels.begin(), solvedChannels.end(), [&](int other) {
+            return channelOf(surfaces.reflectance, other) == reflectance &&
+                   proportion(emission, channelOf(surfaces.emission, other)) > 0.0;
+        });
+        if (like != solvedChannels.end()) {
+            const double ratio = proportion(emission, channelOf(surfaces.emission, *like));
+            for (Point& b : radiosity) b[channel] = ratio * b[*like];
+            continue;
+        }
+        const Solved solved = solveChannel(matrix, emission, reflectance, options);
+        for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i][channel] = solved.radiosity[i];
+        made = {made.channels + 1, std::max(made.iterations, solved.iterations),
+                std::max(made.residual, solved.residual)};
+        solvedChannels.push_back(channel);
+    }
+    if (report) *report = made;
+    return radiosity;
+}
+
+}  // namespace radlab::engine
