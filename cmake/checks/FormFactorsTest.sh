@@ -44,8 +44,11 @@ case $claim in
         [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
         ;;
     "settings name the scene and the size of the patches, rays see what is hidden, both laws can be enforced")
-        run "$project/resources/demo/furnished.xml" -o F.npy --rays 64 --enforce
+        printf '<Resource><Values hemicube_size="64" form_factor_method="auto" patch_subdivision_size="120"
+            light_subdivision_size="50" file_name="%s"/></Resource>' "$project/resources/scenes/cornell_2.x3d" >box.xml
+        run box.xml -o F.npy --rays 64 --enforce
         exits 0
+        says out 'of size 120'
         says out 'method visibility'
         says out 'reciprocity holds within'
         says out 'both laws enforced'

@@ -1,0 +1,60 @@
+#!/bin/sh
+# Tests of the program render as its user sees it: RenderTest.sh PROGRAM PROJECT CLAIM
+set -eu
+program=$1 project=$2 claim=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+wrong() { echo "$claim: $*" >&2; exit 1; }
+run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
+exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
+says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+
+case $claim in
+    "in the furnace every patch shines as E/(1-rho), whole or cut, with one channel solved")
+        for size in 10 0.3; do
+            run "$project/resources/scenes/furnace.x3d" --patch-size $size --csv furnace.csv
+            exits 0
+            says out 'exact, 0 rays'
+            says out '1 of 3 channels solved'
+            grep -v '^#' furnace.csv | awk -F, '
+                NR == 1 { if ($1 != "id" || $18 != "B_b") exit 1; next }
+                { for (c = 0; c < 3; ++c) {
+                      off = $(16 + c) * (1 - $(10 + c)) / $(13 + c) - 1
+                      if (off > 1e-6 || off < -1e-6) exit 1 } }
+                END { if (NR < 7) exit 1 }' || wrong "size $size: $(cat furnace.csv)"
+        done
+        ;;
+    "a picture is written as PNG and as HDR, and a scene without light is black")
+        run "$project/resources/scenes/l_room.x3d" --patch-size 1 --width 64 --height 48 -o room.png
+        exits 0
+        [ "$(head -c 4 room.png | tail -c 3)" = PNG ] || wrong "no PNG"
+        run "$project/resources/scenes/l_room.x3d" --patch-size 1 --width 64 --height 48 -o room.hdr --flat
+        exits 0
+        says room.hdr '#?RADIANCE'
+        run "$project/resources/scenes/dark.x3d" --csv dark.csv -o dark.png
+        exits 0
+        says out '0 of 3 channels solved'
+        says err 'nothing emits light'
+        awk -F, 'NR > 2 && ($16 != 0 || $17 != 0 || $18 != 0) { exit 1 }' dark.csv || wrong "light: $(cat dark.csv)"
+        ;;
+    "what is wrong is said before any work, with exit code 2, and leaves no file")
+        run "$project/resources/scenes/furnace.x3d"
+        exits 2
+        says err 'nothing to write'
+        run "$project/resources/scenes/furnace.x3d" -o box.jpg
+        exits 2
+        says err "'.jpg', expected .png or .hdr"
+        run "$project/resources/scenes/furnace.x3d" --csv box.csv --camera 7
+        exits 2
+        says err 'viewpoints, and --camera 7'
+        run "$project/resources/scenes/furnace.x3d" --csv box.csv --patch-size 0.0001
+        exits 2
+        run absent.x3d -o box.png
+        exits 2
+        says err 'absent.x3d'
+        [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
+        ;;
+    *) wrong "no such claim" ;;
+esac

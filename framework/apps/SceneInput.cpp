@@ -1,0 +1,73 @@
+#include "apps/SceneInput.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "scene/ResourceFile.h"
+#include "scene/X3dReader.h"
+
+namespace radlab {
+
+namespace {
+
+constexpr double patchesWanted = 1000.0;  // where no size is given
+
+struct Sizes {
+    double patch = 0.0, light = 0.0;
+};
+
+// The scene, and the sizes of patches that flags or settings ask for.
+Scene read(const SceneFlags& flags, Sizes& sizes) {
+    std::filesystem::path file = flags.file;
+    if (file.extension() == ".xml") {
+        const Resource settings = readResource(file);
+        file = settings.sceneFile;
+        sizes = {static_cast<double>(settings.patchSize), static_cast<double>(settings.lightSize)};
+    }
+    if (flags.patchSize > 0.0) sizes = {flags.patchSize, flags.patchSize};
+    return readX3d(file);
+}
+
+double sizeFor(const Scene& scene) {
+    double area = 0.0;
+    for (const engine::Polygon& face : engine::geometryOf(scene).faces) area += face.area;
+    return std::sqrt(area / patchesWanted);
+}
+
+}  // namespace
+
+void addSceneFlags(CLI::App& app, SceneFlags& flags) {
+    app.add_option("SCENE", flags.file, "An X3D file, or settings (Resource.xml) that name one")->required();
+    app.add_option("--patch-size", flags.patchSize,
+                   "Longest edge of a patch; else as the settings say, or for about 1000 patches")
+        ->check(CLI::PositiveNumber);
+}
+
+SceneInput readSceneInput(const SceneFlags& flags) {
+    SceneInput input;
+    Sizes sizes;
+    input.scene = read(flags, sizes);
+    if (sizes.patch == 0.0) sizes.patch = sizes.light = sizeFor(input.scene);
+    input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
+                                             static_cast<float>(sizes.light));
+    input.geometry = engine::geometryOf(input.scene, *input.mesh);
+    input.effects = findEffects(input.scene);
+    char text[64];
+    std::snprintf(text, sizeof text, ": %zu patches of size %.4g", input.geometry.patches.size(), sizes.patch);
+    input.summary = input.scene.file + text;
+    return input;
+}
+
+SceneInput readFacesInput(const SceneFlags& flags) {
+    SceneInput input;
+    Sizes sizes;
+    input.scene = read(flags, sizes);
+    input.geometry = engine::geometryOf(input.scene);
+    input.effects = findEffects(input.scene);
+    input.summary = input.scene.file + ": its " + std::to_string(input.geometry.patches.size()) + " faces as patches";
+    return input;
+}
+
+}  // namespace radlab

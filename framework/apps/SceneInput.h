@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "course/PatchMesh.h"
+#include "engine/Geometry.h"
+#include "scene/Effects.h"
+#include "scene/Scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace radlab {
+
+/// What a program was told of the scene to work on.
+struct SceneFlags {
+    std::string file;        ///< X3D, or settings (Resource.xml) that name it
+    double patchSize = 0.0;  ///< 0: as the settings say, or for about 1000 patches
+};
+
+/// Adds SCENE and --patch-size to a program's flags.
+void addSceneFlags(CLI::App& app, SceneFlags& flags);
+
+/// A scene, cut into patches, and the effects that it calls for.
+struct SceneInput {
+    Scene scene;
+    std::unique_ptr<PatchMesh> mesh;
+    engine::Geometry geometry;
+    Effects effects;
+    std::string summary;  ///< file and patches, in a line
+};
+
+/// Errors: those of the readers and the Mesher.
+SceneInput readSceneInput(const SceneFlags& flags);
+
+/// The same with the scene's faces as the patches, and no mesh.
+SceneInput readFacesInput(const SceneFlags& flags);
+
+}  // namespace radlab
