@@ -7,6 +7,7 @@
 #include "apps/SceneInput.h"
 #include "base/Program.h"
 #include "base/ProgressBar.h"
+#include "engine/ExchangeArea.h"
 #include "engine/FormFactors.h"
 #include "engine/MatrixFile.h"
 
@@ -19,6 +20,7 @@ struct Flags {
     SceneFlags scene;
     std::string out, method = "auto";
     std::size_t rays = 0;
+    double tolerance = 0.0;
     bool faces = false, enforce = false;
 };
 
@@ -34,6 +36,10 @@ int formFactorTable(const Flags& flags) {
     FormFactorOptions options;
     options.method = methodNamed(flags.method);
     options.rays = flags.rays;
+    if (flags.tolerance > 0.0)
+        options.tolerance = flags.tolerance;
+    else if (options.method == Method::exact)
+        options.tolerance = finestTolerance;
     const SceneInput input = flags.faces ? readFacesInput(flags.scene) : readSceneInput(flags.scene);
     options.occlusion = input.effects.occlusion;
     FormFactorReport report;
@@ -61,6 +67,9 @@ void describe(CLI::App& app, Flags& flags) {
         ->excludes("--patch-size");
     app.add_option("--rays", flags.rays, "Rays from each patch (hemisphere) or for a pair partly hidden (visibility)")
         ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 32));
+    app.add_option("--tolerance", flags.tolerance,
+                   "Relative error of what is not hidden; else 1e-12 for exact, 1e-6 for visibility and auto")
+        ->check(CLI::Range(finestTolerance, 0.1));
     app.add_flag("--enforce", flags.enforce, "Make both laws hold: reciprocity, and rows that add up to 1");
     app.set_version_flag("--version", "radlab " RADLAB_VERSION);
     app.footer("Example: ./radlab formfactors resources/scenes/cornell_1.x3d --method exact -o F.csv");

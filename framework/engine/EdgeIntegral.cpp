@@ -11,8 +11,8 @@ namespace radlab::engine {
 
 namespace {
 
-constexpr int panelNodes = 12;
-constexpr double bernstein = 3.4;  // 3.4^-24 is 2e-13, of a part that is small itself
+constexpr double bernstein =
+    3.4;  // Gauss's error on a panel is a small part of it times 3.4 to the power of minus twice the nodes
 constexpr int mostHalvings = 60;
 constexpr double parallelSine = 1e-12;
 
@@ -40,8 +40,9 @@ double innerIntegral(const Point& p, const Point& begin, const Point& direction,
 
 class OuterIntegral {
 public:
-    OuterIntegral(const Edge& along, double length, const Edge& other, double otherLength)
-        : begin(along.begin),
+    OuterIntegral(const Edge& along, double length, const Edge& other, double otherLength, double tolerance)
+        : rule(gaussLegendre(static_cast<int>(std::ceil(-0.5 * std::log(tolerance) / std::log(bernstein))))),
+          begin(along.begin),
           direction((along.end - along.begin) / length),
           otherBegin(other.begin),
           otherDirection((other.end - other.begin) / otherLength),
@@ -86,12 +87,13 @@ private:
 
     double gauss(double from, double length) const {
         double sum = 0.0;
-        for (const GaussNode& node : gaussLegendre(panelNodes))
+        for (const GaussNode& node : rule)
             sum += node.weight * innerIntegral(begin + (from + node.position * length) * direction, otherBegin,
                                                otherDirection, inner);
         return sum * length;
     }
 
+    const std::vector<GaussNode>& rule;
     Point begin, direction, otherBegin, otherDirection;
     double inner;
     std::array<Complex, 3> singularities;
@@ -108,14 +110,14 @@ double ofParallels(const Edge& a, double lengthA, const Edge& b, const Point& di
 
 }  // namespace
 
-double edgeIntegral(const Edge& a, const Edge& b) {
+double edgeIntegral(const Edge& a, const Edge& b, double tolerance) {
     const double lengthA = glm::length(a.end - a.begin), lengthB = glm::length(b.end - b.begin);
     if (lengthA == 0.0 || lengthB == 0.0) return 0.0;
-    if (lengthA > lengthB) return edgeIntegral(b, a);
+    if (lengthA > lengthB) return edgeIntegral(b, a, tolerance);
     const Point direction = (a.end - a.begin) / lengthA;
     if (glm::length(glm::cross(direction, (b.end - b.begin) / lengthB)) < parallelSine)
         return ofParallels(a, lengthA, b, direction);
-    return OuterIntegral(a, lengthA, b, lengthB).over(0.0, lengthA);
+    return OuterIntegral(a, lengthA, b, lengthB, tolerance).over(0.0, lengthA);
 }
 
 }  // namespace radlab::engine

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/Error.h"
 #include "engine/EdgeIntegral.h"
 #include "engine/GaussLegendre.h"
 #include "engine/PointFormFactor.h"
@@ -13,29 +14,53 @@ namespace radlab::engine {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double digits = 30.0;  // ln of what the error is to be smaller by: e^-30 is 1e-13
 constexpr int mostFarOrder = 6;  // above that, the outlines are cheaper
 constexpr int mostNearOrder = 12;
 constexpr double muchLarger = 8.0;  // radii: above that, a polygon is cut before its outline is followed
+constexpr std::size_t lanes = 4;
 
-// How many Gauss-Legendre nodes integrate a function whose nearest singularity is that many half lengths off the middle.
-double orderFor(double distance) {
-    if (distance <= 1.0) return 1e9;
-    return 1.5 + 0.5 * digits / std::log(distance + std::sqrt(distance * distance - 1.0));
+// How many nodes Gauss-Legendre needs in each direction for a function whose nearest singularity is that many half
+// lengths off the middle: its error falls as ρ^(-2 order), with ρ the size of the ellipse through the singularity. Measured on
+// squares in random places, the largest error is at most 8 times the distance times that.
+double orderFor(double distance, double tolerance) {
+    if (distance <= 1.0) return INFINITY;
+    const double ellipse = distance + std::sqrt(distance * distance - 1.0);
+    return std::ceil(0.5 * std::log(8.0 * distance / tolerance) / std::log(ellipse));
 }
 
-double byNodes(const Polygon& a, int orderA, const Polygon& b, int orderB) {
-    const std::vector<Node> nodes = gaussNodes(b, orderB);
-    double sum = 0.0;
-    for (const Node& from : gaussNodes(a, orderA)) {
-        double row = 0.0;
-        for (const Node& to : nodes) {
-            const Point between = to.position - from.position;
-            const double distance2 = glm::dot(between, between);
-            row -= to.weight * glm::dot(a.normal, between) * glm::dot(b.normal, between) / (distance2 * distance2);
-        }
-        sum += from.weight * row;
+NodeSet nodeSet(const Polygon& polygon, int order) {
+    const std::vector<Node> nodes = gaussNodes(polygon, order);
+    NodeSet set;
+    set.count = nodes.size();
+    const std::size_t padded = (nodes.size() + lanes - 1) / lanes * lanes;
+    for (std::size_t k = 0; k < padded; ++k) {
+        const Node& node = nodes[std::min(k, nodes.size() - 1)];
+        set.x.push_back(node.position.x);
+        set.y.push_back(node.position.y);
+        set.z.push_back(node.position.z);
+        set.weight.push_back(k < nodes.size() ? node.weight : 0.0);
     }
+    return set;
+}
+
+// What one node sees of all nodes of a polygon; the sums run side by side, so that they can share instructions.
+double rowSum(const Point& from, const Point& normal, const NodeSet& to, const Point& toNormal) {
+    double sums[lanes] = {};
+    for (std::size_t k = 0; k < to.weight.size(); k += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const double x = to.x[k + lane] - from.x, y = to.y[k + lane] - from.y, z = to.z[k + lane] - from.z;
+            const double distance2 = x * x + y * y + z * z;
+            const double away = x * normal.x + y * normal.y + z * normal.z;
+            const double towards = x * toNormal.x + y * toNormal.y + z * toNormal.z;
+            sums[lane] -= to.weight[k + lane] * away * towards / (distance2 * distance2);
+        }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double byNodes(const NodeSet& a, const Point& normalA, const NodeSet& b, const Point& normalB) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.count; ++k)
+        sum += a.weight[k] * rowSum(Point(a.x[k], a.y[k], a.z[k]), normalA, b, normalB);
     return sum / pi;
 }
 
@@ -46,7 +71,8 @@ double fromNodes(const Polygon& small, int order, const Polygon& large) {
     return sum;
 }
 
-// The corners in a frame in which lengths are about 1 and the origin is near: logarithms are small there, and cancel less.
+// The corners in a frame in which lengths are about 1 and the origin is near: logarithms are small there, and cancel
+// less.
 std::vector<Edge> edgesOf(const Polygon& polygon, const Point& origin, double unit) {
     std::vector<Edge> edges;
     const std::size_t count = polygon.corners.size();
@@ -55,7 +81,7 @@ std::vector<Edge> edgesOf(const Polygon& polygon, const Point& origin, double un
     return edges;
 }
 
-double alongOutlines(const Polygon& a, const Polygon& b) {
+double alongOutlines(const Polygon& a, const Polygon& b, double tolerance) {
     const double unit = glm::length(b.center - a.center) + 0.5 * (a.radius + b.radius);
     const std::vector<Edge> edgesA = edgesOf(a, a.center, unit), edgesB = edgesOf(b, a.center, unit);
     double sum = 0.0;
@@ -64,15 +90,15 @@ double alongOutlines(const Polygon& a, const Polygon& b) {
             const Point directionA = edgeA.end - edgeA.begin, directionB = edgeB.end - edgeB.begin;
             const double lengths = glm::length(directionA) * glm::length(directionB);
             const double along = glm::dot(directionA, directionB);
-            if (std::abs(along) > 1e-17 * lengths) sum += along / lengths * edgeIntegral(edgeA, edgeB);
+            if (std::abs(along) > 1e-17 * lengths) sum += along / lengths * edgeIntegral(edgeA, edgeB, tolerance);
         }
     return sum / (2.0 * pi) * unit * unit;
 }
 
-double between(const Polygon& a, const Polygon& b);
+double between(const Polygon& a, const Polygon& b, double tolerance);
 
 // The larger polygon in four pieces, by two planes through its centre.
-double cutLarger(const Polygon& small, const Polygon& large) {
+double cutLarger(const Polygon& small, const Polygon& large, double tolerance) {
     const Point along = glm::normalize(large.corners[1] - large.corners[0]), across = glm::cross(large.normal, along);
     double sum = 0.0;
     for (const Point& first : {along, -along}) {
@@ -80,30 +106,85 @@ double cutLarger(const Polygon& small, const Polygon& large) {
         if (half.corners.empty()) continue;
         for (const Point& second : {across, -across}) {
             const Polygon quarter = frontPart(half, large.center, second);
-            if (quarter.area > 0.0) sum += between(small, quarter);
+            if (quarter.area > 0.0) sum += between(small, quarter, tolerance);
         }
     }
     return sum;
 }
 
-double between(const Polygon& a, const Polygon& b) {
-    if (a.radius > b.radius) return between(b, a);
+struct Orders {
+    double a, b;
+    bool far() const { return std::max(a, b) <= mostFarOrder; }
+};
+
+Orders ordersFor(const Polygon& a, const Polygon& b, double tolerance) {
     const double distance = glm::length(b.center - a.center);
-    const double orderA = orderFor((distance - b.radius) / a.radius),
-                 orderB = orderFor((distance - a.radius) / b.radius);
-    if (std::max(orderA, orderB) < mostFarOrder + 1)
-        return byNodes(a, static_cast<int>(orderA), b, static_cast<int>(orderB));
-    const double orderNear = orderFor(distanceToOutline(a.center, b) / a.radius);
-    if (orderNear < mostNearOrder + 1) return fromNodes(a, static_cast<int>(orderNear), b);
-    return b.radius > muchLarger * a.radius ? cutLarger(a, b) : alongOutlines(a, b);
+    return {orderFor((distance - b.radius) / a.radius, tolerance),
+            orderFor((distance - a.radius) / b.radius, tolerance)};
+}
+
+// Two polygons that are too near for nodes on both.
+double near(const Polygon& a, const Polygon& b, double tolerance) {
+    if (a.radius > b.radius) return near(b, a, tolerance);
+    const double order = orderFor(distanceToOutline(a.center, b) / a.radius, tolerance);
+    if (order <= mostNearOrder) return fromNodes(a, static_cast<int>(order), b);
+    return b.radius > muchLarger * a.radius ? cutLarger(a, b, tolerance) : alongOutlines(a, b, 0.1 * tolerance);
+}
+
+double between(const Polygon& a, const Polygon& b, double tolerance) {
+    const Orders orders = ordersFor(a, b, tolerance);
+    if (!orders.far()) return near(a, b, tolerance);
+    return byNodes(nodeSet(a, static_cast<int>(orders.a)), a.normal, nodeSet(b, static_cast<int>(orders.b)), b.normal);
+}
+
+enum class Side { front, back, across };
+
+// On which side of its plane a polygon has another one; what touches the plane counts for neither side.
+Side sideOf(const Polygon& plane, const Polygon& polygon) {
+    const double offset = glm::dot(plane.center, plane.normal);
+    double low = INFINITY, high = -INFINITY;
+    for (const Point& corner : polygon.corners) {
+        const double height = glm::dot(corner, plane.normal) - offset;
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    // So near, rounding may decide; frontPart looks more closely.
+    const double unclear = 1e-9 * (polygon.radius + plane.radius + std::abs(offset));
+    if (low > unclear) return Side::front;
+    return high < -unclear ? Side::back : Side::across;
+}
+
+double clippedExchange(const Polygon& a, const Polygon& b, double tolerance) {
+    const Polygon inFrontA = frontPart(a, b.center, b.normal), inFrontB = frontPart(b, a.center, a.normal);
+    if (!(inFrontA.area > 0.0) || !(inFrontB.area > 0.0)) return 0.0;
+    return std::max(between(inFrontA, inFrontB, tolerance), 0.0);
 }
 
 }  // namespace
 
-double exchangeArea(const Polygon& a, const Polygon& b) {
-    const Polygon inFrontA = frontPart(a, b.center, b.normal), inFrontB = frontPart(b, a.center, a.normal);
-    if (!(inFrontA.area > 0.0) || !(inFrontB.area > 0.0)) return 0.0;
-    return std::max(between(inFrontA, inFrontB), 0.0);
+double exchangeArea(const Polygon& a, const Polygon& b, double tolerance) {
+    RADLAB_CHECK(tolerance >= finestTolerance);
+    return clippedExchange(a, b, tolerance);
+}
+
+ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double error) : polygons(list), tolerance(error) {
+    RADLAB_CHECK(tolerance >= finestTolerance);
+    for (int order = 1; order <= keptOrders; ++order)
+        for (const Polygon& polygon : polygons)
+            nodes[order - 1].push_back(polygon.area > 0.0 ? nodeSet(polygon, order) : NodeSet{});
+}
+
+double ExchangeAreas::operator()(std::size_t i, std::size_t j) const {
+    const Polygon &a = polygons[i], &b = polygons[j];
+    if (!(a.area > 0.0) || !(b.area > 0.0)) return 0.0;
+    const Side ofA = sideOf(a, b), ofB = sideOf(b, a);
+    if (ofA == Side::back || ofB == Side::back) return 0.0;
+    if (ofA == Side::across || ofB == Side::across) return clippedExchange(a, b, tolerance);
+    const Orders orders = ordersFor(a, b, tolerance);
+    if (!orders.far()) return std::max(near(a, b, tolerance), 0.0);
+    const auto orderA = static_cast<std::size_t>(orders.a), orderB = static_cast<std::size_t>(orders.b);
+    if (std::max(orderA, orderB) > keptOrders) return std::max(between(a, b, tolerance), 0.0);
+    return std::max(byNodes(nodes[orderA - 1][i], a.normal, nodes[orderB - 1][j], b.normal), 0.0);
 }
 
 }  // namespace radlab::engine

@@ -105,16 +105,14 @@ std::size_t fill(FormFactorMatrix& matrix, const Geometry& geometry, Method meth
         }
         case Method::visibility: {
             const Visibility visibility(geometry, options.rays ? options.rays : pairRays);
+            const ExchangeAreas unoccluded(patches, options.tolerance);
             fillPairs(matrix, options, [&](std::size_t i, std::size_t j) {
-                const double exchange = exchangeArea(patches[i], patches[j]);
+                const double exchange = unoccluded(i, j);
                 return exchange > 0.0 ? exchange * visibility.visibleShare(i, j) : 0.0;
             });
             return visibility.rays();
         }
-        default:
-            fillPairs(matrix, options,
-                      [&](std::size_t i, std::size_t j) { return exchangeArea(patches[i], patches[j]); });
-            return 0;
+        default: fillPairs(matrix, options, ExchangeAreas(patches, options.tolerance)); return 0;
     }
 }
 

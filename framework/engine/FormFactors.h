@@ -13,7 +13,7 @@ namespace radlab::engine {
 enum class Method {
     point,       ///< centre to centre; wrong where patches are near, sees nothing hidden
     polygon,     ///< from the centre to the whole polygon; sees nothing hidden
-    exact,       ///< polygon to polygon, 1e-12; sees nothing hidden
+    exact,       ///< polygon to polygon, to any tolerance; sees nothing hidden
     hemisphere,  ///< rays over the hemisphere: error √(F(1-F)/rays) or less; sees what is hidden
     visibility,  ///< exact, times the share that shadow rays find visible
     automatic,   ///< exact where nothing can hide anything, else visibility
@@ -31,6 +31,8 @@ struct FormFactorOptions {
     std::size_t rays =
         0;  ///< of `hemisphere` from each patch, 4096 where 0; of `visibility` for each pair that is partly
             ///< hidden, 256 where 0
+    double tolerance =
+        1e-6;  ///< of the relative error of what is not hidden, for `exact` and `visibility`; 1e-12 or more
     std::function<void(std::size_t rows)>
         progress;  ///< told how many rows are done, now and then, by one thread at a time
 };

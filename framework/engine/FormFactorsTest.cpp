@@ -7,6 +7,7 @@
 
 #include "base/Error.h"
 #include "engine/EngineTestHelp.h"
+#include "engine/ExchangeArea.h"
 #include "engine/PointFormFactor.h"
 
 using namespace radlab;
@@ -21,6 +22,7 @@ FormFactorMatrix matrixOf(const Geometry& geometry, Method method, std::size_t r
     FormFactorOptions options;
     options.method = method;
     options.rays = rays;
+    options.tolerance = 1e-12;
     return formFactors(geometry, options, report);
 }
 
@@ -174,4 +176,25 @@ TEST_CASE("methods have names, and an unknown one is told those that there are")
     for (const char* name : {"point", "polygon", "exact", "hemisphere", "visibility", "auto"})
         CHECK(nameOf(methodNamed(name)) == name);
     CHECK_THROWS_WITH_AS(methodNamed("exakt"), doctest::Contains("'exakt', expected one of point, polygon"), Error);
+}
+
+TEST_CASE("a coarser tolerance is kept, pair by pair") {
+    std::vector<Polygon> patches;
+    for (const Polygon& side : boxSides(1, 2, 1.5)) {
+        const Point u = (side.corners[1] - side.corners[0]) / 5.0, v = (side.corners[3] - side.corners[0]) / 7.0;
+        for (int i = 0; i < 5; ++i)
+            for (int j = 0; j < 7; ++j)
+                patches.push_back(parallelogram(side.corners[0] + double(i) * u + double(j) * v, u, v));
+    }
+    const ExchangeAreas truth(patches, finestTolerance);
+    for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-9}) {
+        const ExchangeAreas rough(patches, tolerance);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < patches.size(); ++i)
+            for (std::size_t j = i + 1; j < patches.size(); ++j)
+                if (truth(i, j) > 0.0) worst = std::max(worst, std::abs(rough(i, j) / truth(i, j) - 1.0));
+        CAPTURE(tolerance);
+        CHECK(worst <= tolerance);
+        CHECK(worst > 0.0);
+    }
 }

@@ -19,6 +19,7 @@ namespace {
 FormFactorMatrix exactMatrix(const std::vector<Polygon>& patches) {
     FormFactorOptions options;
     options.method = Method::exact;
+    options.tolerance = 1e-12;
     return formFactors(geometryOfFaces(patches), options);
 }
 
