@@ -57,7 +57,15 @@ double rowSum(const Point& from, const Point& normal, const NodeSet& to, const P
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-double byNodes(const NodeSet& a, const Point& normalA, const NodeSet& b, const Point& normalB) {
+// Compiled for AVX2, too, where the compiler can choose when the program starts; not with fused multiplications, so that
+// the bits are the same on every machine.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
+#define RADLAB_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define RADLAB_WIDE
+#endif
+
+RADLAB_WIDE double byNodes(const NodeSet& a, const Point& normalA, const NodeSet& b, const Point& normalB) {
     double sum = 0.0;
     for (std::size_t k = 0; k < a.count; ++k)
         sum += a.weight[k] * rowSum(Point(a.x[k], a.y[k], a.z[k]), normalA, b, normalB);
@@ -117,8 +125,7 @@ struct Orders {
     bool far() const { return std::max(a, b) <= mostFarOrder; }
 };
 
-Orders ordersFor(const Polygon& a, const Polygon& b, double tolerance) {
-    const double distance = glm::length(b.center - a.center);
+Orders ordersFor(const Polygon& a, const Polygon& b, double distance, double tolerance) {
     return {orderFor((distance - b.radius) / a.radius, tolerance),
             orderFor((distance - a.radius) / b.radius, tolerance)};
 }
@@ -132,26 +139,24 @@ double near(const Polygon& a, const Polygon& b, double tolerance) {
 }
 
 double between(const Polygon& a, const Polygon& b, double tolerance) {
-    const Orders orders = ordersFor(a, b, tolerance);
+    const Orders orders = ordersFor(a, b, glm::length(b.center - a.center), tolerance);
     if (!orders.far()) return near(a, b, tolerance);
     return byNodes(nodeSet(a, static_cast<int>(orders.a)), a.normal, nodeSet(b, static_cast<int>(orders.b)), b.normal);
 }
 
 enum class Side { front, back, across };
 
-// On which side of its plane a polygon has another one; what touches the plane counts for neither side.
-Side sideOf(const Polygon& plane, const Polygon& polygon) {
-    const double offset = glm::dot(plane.center, plane.normal);
+// On which side of its plane a polygon has another one; what touches the plane up to rounding is not across it.
+Side sideOf(const Polygon& plane, const Polygon& polygon, double distance) {
     double low = INFINITY, high = -INFINITY;
     for (const Point& corner : polygon.corners) {
-        const double height = glm::dot(corner, plane.normal) - offset;
+        const double height = glm::dot(corner - plane.center, plane.normal);
         low = std::min(low, height);
         high = std::max(high, height);
     }
-    // So near, rounding may decide; frontPart looks more closely.
-    const double unclear = 1e-9 * (polygon.radius + plane.radius + std::abs(offset));
-    if (low > unclear) return Side::front;
-    return high < -unclear ? Side::back : Side::across;
+    const double rounding = planeTolerance * (distance + polygon.radius);
+    if (high <= rounding) return Side::back;
+    return low >= -rounding ? Side::front : Side::across;
 }
 
 double clippedExchange(const Polygon& a, const Polygon& b, double tolerance) {
@@ -177,10 +182,11 @@ ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double error) : p
 double ExchangeAreas::operator()(std::size_t i, std::size_t j) const {
     const Polygon &a = polygons[i], &b = polygons[j];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 0.0;
-    const Side ofA = sideOf(a, b), ofB = sideOf(b, a);
+    const double distance = glm::length(b.center - a.center);
+    const Side ofA = sideOf(a, b, distance), ofB = sideOf(b, a, distance);
     if (ofA == Side::back || ofB == Side::back) return 0.0;
     if (ofA == Side::across || ofB == Side::across) return clippedExchange(a, b, tolerance);
-    const Orders orders = ordersFor(a, b, tolerance);
+    const Orders orders = ordersFor(a, b, distance, tolerance);
     if (!orders.far()) return std::max(near(a, b, tolerance), 0.0);
     const auto orderA = static_cast<std::size_t>(orders.a), orderB = static_cast<std::size_t>(orders.b);
     if (std::max(orderA, orderB) > keptOrders) return std::max(between(a, b, tolerance), 0.0);

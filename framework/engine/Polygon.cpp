@@ -10,8 +10,6 @@ namespace radlab::engine {
 
 namespace {
 
-constexpr double planeTolerance = 1e-12;
-
 // How far a point stands out of a plane; 0 where rounding alone may have moved it off.
 double height(const Point& point, const Point& on, const Point& normal) {
     const Point from = point - on;

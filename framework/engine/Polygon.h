@@ -22,9 +22,10 @@ struct Polygon {
     double radius = 0.0;  ///< from the centre to the corner farthest from it
 };
 
+/// What stands out of a plane by less than this share of its distance from a point of the plane lies in it.
+constexpr double planeTolerance = 1e-12;
+
 /// The part of a polygon in front of a plane; a polygon without corners where nothing is.
-///
-/// What stands out of the plane by less than 1e-12 of its distance to `on` lies in it.
 ///
 /// @param on      a point of the plane
 /// @param normal  unit normal of the plane
