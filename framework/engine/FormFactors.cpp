@@ -32,7 +32,7 @@ constexpr std::array<Named, 6> names = {{{"point", Method::point},
                                          {"visibility", Method::visibility},
                                          {"auto", Method::automatic}}};
 
-constexpr std::size_t hemisphereRays = 4096, pairRays = 256;
+constexpr std::size_t hemisphereRays = 4096, pairRays = 64;
 
 // Fills rows on all cores; what a row writes is its own business, and no other's.
 void forAllRows(std::size_t count, const std::function<void(std::size_t)>& progress,

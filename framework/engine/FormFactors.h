@@ -30,7 +30,7 @@ struct FormFactorOptions {
     bool occlusion = true;  ///< whether anything may hide anything: decides what `automatic` is
     std::size_t rays =
         0;  ///< of `hemisphere` from each patch, 4096 where 0; of `visibility` for each pair that is partly
-            ///< hidden, 256 where 0
+            ///< hidden, 64 where 0
     double tolerance =
         1e-6;  ///< of the relative error of what is not hidden, for `exact` and `visibility`; 1e-12 or more
     std::function<void(std::size_t rows)>

@@ -1,31 +1,81 @@
 #include "engine/Shaft.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <tbb/parallel_for.h>
+
+#include "base/Error.h"
+#include "engine/Triangles.h"
 
 namespace radlab::engine {
 
 namespace {
 
-constexpr std::size_t mostFaces = 256;
 constexpr double relativeTolerance = 1e-6;
 
 struct Range {
     double low, high;
 };
 
-// How far a polygon stands out before and behind another's plane.
-Range heightsOver(const Polygon& plane, const Polygon& polygon) {
-    Range range{1e300, -1e300};
+// How far a polygon stands out before and behind a plane.
+Range heightsOver(const Point& on, const Point& normal, const Polygon& polygon) {
+    Range range{INFINITY, -INFINITY};
     for (const Point& corner : polygon.corners) {
-        const double height = glm::dot(corner - plane.center, plane.normal);
+        const double height = glm::dot(corner - on, normal);
         range = {std::min(range.low, height), std::max(range.high, height)};
     }
     return range;
 }
 
+// A face in convex pieces: itself where it is convex.
+std::vector<Blocker> blockersOf(const Polygon& face, double tolerance) {
+    std::vector<Blocker> pieces;
+    for (const Polygon& piece : convexPiecesOf(face)) pieces.emplace_back(piece, tolerance);
+    return pieces;
+}
+
 }  // namespace
+
+Blocker::Blocker(const Polygon& polygon, double rounding)
+    : center(polygon.center), normal(polygon.normal), tolerance(rounding) {
+    const std::size_t count = polygon.corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Point edge = polygon.corners[(i + 1) % count] - polygon.corners[i];
+        if (glm::length(edge) == 0.0) continue;
+        const Point inwards = glm::normalize(glm::cross(normal, edge));
+        sides.push_back({inwards, glm::dot(inwards, polygon.corners[i])});
+    }
+}
+
+bool Blocker::stops(const Point& from, const Point& to) const {
+    const double start = height(from), end = height(to);
+    if (std::min(start, end) >= -tolerance || std::max(start, end) <= tolerance) return false;
+    const Point at = from + start / (start - end) * (to - from);
+    return std::all_of(sides.begin(), sides.end(),
+                       [&](const Side& side) { return glm::dot(side.inwards, at) > side.offset; });
+}
+
+Sight Blocker::between(const Polygon& a, const Polygon& b) const {
+    const Range ofA = heightsOver(center, normal, a), ofB = heightsOver(center, normal, b);
+    const bool apart = (ofA.low > tolerance && ofB.high < -tolerance) || (ofB.low > tolerance && ofA.high < -tolerance);
+    if (!apart) return Sight::partly;
+    bool inside = true;
+    for (const Side& side : sides) {
+        double least = INFINITY, most = -INFINITY;
+        for (const Point& from : a.corners)
+            for (const Point& to : b.corners) {
+                const double start = height(from);
+                const Point at = from + start / (start - height(to)) * (to - from);
+                const double depth = glm::dot(side.inwards, at) - side.offset;
+                least = std::min(least, depth);
+                most = std::max(most, depth);
+            }
+        if (most <= tolerance) return Sight::clear;
+        inside = inside && least >= 0.0;
+    }
+    return inside ? Sight::hidden : Sight::partly;
+}
 
 Shafts::Box Shafts::boxOf(const Polygon& polygon) {
     Box box;
@@ -42,10 +92,12 @@ Shafts::Shafts(const Geometry& shapes) : geometry(shapes) {
     for (const Polygon& patch : geometry.patches) patchBoxes.push_back(boxOf(patch));
     for (const Polygon& face : geometry.faces) faceBoxes.push_back(boxOf(face));
     const std::size_t count = geometry.faces.size();
-    if (count == 0 || count > mostFaces) return;
+    RADLAB_CHECK(count <= mostFaces);
+    if (count == 0) return;
     Box whole = faceBoxes[0];
     for (const Box& box : faceBoxes) whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
     tolerance = relativeTolerance * glm::length(whole.high - whole.low);
+    for (const Polygon& face : geometry.faces) blockers.push_back(blockersOf(face, tolerance));
     candidates.resize(count * count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t a) {
         for (std::size_t b = 0; b < count; ++b)
@@ -56,13 +108,19 @@ Shafts::Shafts(const Geometry& shapes) : geometry(shapes) {
     });
 }
 
-bool Shafts::mayBeHidden(std::size_t first, std::size_t second) const {
-    if (candidates.empty()) return !geometry.faces.empty();
-    const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
-    const std::vector<std::size_t>& between = candidates[faceA * geometry.faces.size() + faceB];
-    return std::any_of(between.begin(), between.end(), [&](std::size_t face) {
-        return mayHide(geometry.patches[first], patchBoxes[first], geometry.patches[second], patchBoxes[second], face);
-    });
+Sight Shafts::sight(std::size_t first, std::size_t second, std::vector<const Blocker*>& between) const {
+    between.clear();
+    const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
+    const std::size_t row = geometry.faceOf[first] * geometry.faces.size();
+    for (const std::size_t face : candidates[row + geometry.faceOf[second]]) {
+        if (!mayHide(a, patchBoxes[first], b, patchBoxes[second], face)) continue;
+        for (const Blocker& blocker : blockers[face]) {
+            const Sight sight = blocker.between(a, b);
+            if (sight == Sight::hidden) return Sight::hidden;
+            if (sight == Sight::partly) between.push_back(&blocker);
+        }
+    }
+    return between.empty() ? Sight::clear : Sight::partly;
 }
 
 bool Shafts::mayHide(const Polygon& a, const Box& boxA, const Polygon& b, const Box& boxB, std::size_t face) const {
@@ -71,8 +129,11 @@ bool Shafts::mayHide(const Polygon& a, const Box& boxA, const Polygon& b, const 
     if (glm::any(glm::lessThan(box.high, low - tolerance)) || glm::any(glm::greaterThan(box.low, high + tolerance)))
         return false;
     const Polygon& blocker = geometry.faces[face];
-    if (heightsOver(a, blocker).high <= tolerance || heightsOver(b, blocker).high <= tolerance) return false;
-    const Range ofA = heightsOver(blocker, a), ofB = heightsOver(blocker, b);
+    if (heightsOver(a.center, a.normal, blocker).high <= tolerance ||
+        heightsOver(b.center, b.normal, blocker).high <= tolerance)
+        return false;
+    const Range ofA = heightsOver(blocker.center, blocker.normal, a),
+                ofB = heightsOver(blocker.center, blocker.normal, b);
     return std::min(ofA.low, ofB.low) < -tolerance && std::max(ofA.high, ofB.high) > tolerance;
 }
 

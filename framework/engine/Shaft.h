@@ -6,19 +6,60 @@
 
 namespace radlab::engine {
 
-/// Which pairs of patches something may stand between.
+/// What of each other two patches see.
+enum class Sight {
+    clear,   ///< everything
+    hidden,  ///< nothing: one face stands between all their points
+    partly,  ///< unclear: some lines between them meet a face
+};
+
+/// A convex polygon that stops lines, from both sides.
+class Blocker {
+public:
+    /// @pre convex, with an area
+    explicit Blocker(const Polygon& polygon, double tolerance);
+
+    /// Whether it stops the line between two points; one that only touches it passes.
+    bool stops(const Point& from, const Point& to) const;
+
+    /// Whether it stops none, all or some of the lines between two polygons.
+    ///
+    /// @pre both convex, or to be taken as the hulls of their corners
+    Sight between(const Polygon& a, const Polygon& b) const;
+
+private:
+    struct Side {
+        Point inwards;
+        double offset;
+    };
+
+    double height(const Point& point) const { return glm::dot(point - center, normal); }
+
+    Point center, normal;
+    double tolerance;
+    std::vector<Side> sides;
+};
+
+/// Which faces stand between pairs of patches.
 ///
 /// A face can hide one patch from another only where it reaches into the box around both, stands in front of both, and
-/// has them on different sides. Where that fails for every face, nothing is hidden, up to 1e-6 of the scene's size.
+/// has them on different sides. Where that fails for every face, nothing is hidden, up to 1e-6 of the scene's size. For a face that
+/// has the patches wholly on different sides, the lines between them meet its plane in the hull of the points where the lines
+/// between their corners do: whether these lie all inside of the face, or all outside of one of its edges, decides the pair without
+/// a ray.
 class Shafts {
 public:
-    /// @cost the cube of the number of faces, once; above 256 faces none of that is done, and every pair counts as one that
-    ///       something may stand between
+    static constexpr std::size_t mostFaces = 256;
+
+    /// @pre at most mostFaces faces; the geometry lives as long as this does
+    /// @cost the cube of the number of faces, once
     explicit Shafts(const Geometry& geometry);
 
-    /// @pre first and second are patches of the geometry, which still lives
+    /// What two patches see of each other.
+    ///
+    /// @param between where the answer is `partly`: all that may stop a line between them
     /// @cost the faces that may stand between the two patches' faces
-    bool mayBeHidden(std::size_t first, std::size_t second) const;
+    Sight sight(std::size_t first, std::size_t second, std::vector<const Blocker*>& between) const;
 
 private:
     struct Box {
@@ -30,6 +71,7 @@ private:
     const Geometry& geometry;
     double tolerance = 0.0;
     std::vector<Box> patchBoxes, faceBoxes;
+    std::vector<std::vector<Blocker>> blockers;        // each face in convex pieces
     std::vector<std::vector<std::size_t>> candidates;  // faces between two faces
 };
 

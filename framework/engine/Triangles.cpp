@@ -20,24 +20,27 @@ void addFan(std::vector<Triangle>& triangles, const std::vector<Point>& corners)
 
 }  // namespace
 
-std::vector<Triangle> trianglesOf(const Polygon& polygon) {
-    std::vector<Triangle> triangles;
-    if (!(polygon.area > 0.0)) return triangles;
+std::vector<Polygon> convexPiecesOf(const Polygon& polygon) {
+    if (!(polygon.area > 0.0)) return {};
     const Point& origin = polygon.center;
     const Point helper = std::abs(polygon.normal.x) < 0.5 ? Point(1, 0, 0) : Point(0, 1, 0);
     const Point x = glm::normalize(glm::cross(helper, polygon.normal)), y = glm::cross(polygon.normal, x);
     Polygon2 flat;
     for (const Point& corner : polygon.corners)
         flat.emplace_back(glm::dot(corner - origin, x), glm::dot(corner - origin, y));
-    if (isConvex(flat)) {
-        addFan(triangles, polygon.corners);
-        return triangles;
-    }
+    if (isConvex(flat)) return {polygon};
+    std::vector<Polygon> pieces;
     for (const Polygon2& piece : convexPieces(flat)) {
         std::vector<Point> corners;
         for (const glm::dvec2& corner : piece) corners.push_back(origin + corner.x * x + corner.y * y);
-        addFan(triangles, corners);
+        pieces.emplace_back(std::move(corners));
     }
+    return pieces;
+}
+
+std::vector<Triangle> trianglesOf(const Polygon& polygon) {
+    std::vector<Triangle> triangles;
+    for (const Polygon& piece : convexPiecesOf(polygon)) addFan(triangles, piece.corners);
     return triangles;
 }
 

@@ -9,6 +9,11 @@ namespace radlab::engine {
 
 using Triangle = std::array<Point, 3>;
 
+/// A polygon in convex pieces, turned as it is; itself where it is convex, and nothing where it has no area.
+///
+/// @pre no two of its edges cross
+std::vector<Polygon> convexPiecesOf(const Polygon& polygon);
+
 /// The triangles of a polygon, turned as it is, convex or not; those without area are left out.
 ///
 /// @pre no two of its edges cross

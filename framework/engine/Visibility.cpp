@@ -13,15 +13,33 @@ constexpr std::size_t firstRays = 16;
 }  // namespace
 
 Visibility::Visibility(const Geometry& shapes, std::size_t most)
-    : geometry(shapes), mostRays(std::max(most, firstRays)), shafts(shapes), scene(shapes.faces) {
+    : geometry(shapes), mostRays(std::max(most, firstRays)) {
+    if (geometry.faces.size() <= Shafts::mostFaces)
+        shafts = std::make_unique<Shafts>(geometry);
+    else
+        scene = std::make_unique<RayScene>(geometry.faces);
     for (const Polygon& patch : geometry.patches) samplers.emplace_back(patch);
 }
 
 double Visibility::visibleShare(std::size_t first, std::size_t second) const {
-    if (!shafts.mayBeHidden(first, second)) return 1.0;
+    if (!shafts) {
+        const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
+        return shareByRays(first, second, firstRays,
+                           [&](const Point& from, const Point& to) { return scene->hides(from, to, faceA, faceB); });
+    }
+    thread_local std::vector<const Blocker*> between;
+    const Sight sight = shafts->sight(first, second, between);
+    if (sight != Sight::partly) return sight == Sight::clear ? 1.0 : 0.0;
+    return shareByRays(first, second, mostRays, [&](const Point& from, const Point& to) {
+        return std::any_of(between.begin(), between.end(),
+                           [&](const Blocker* blocker) { return blocker->stops(from, to); });
+    });
+}
+
+template <class Stops>
+double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t deciding, const Stops& stops) const {
     const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 1.0;
-    const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
     const std::uint64_t key = first * geometry.patches.size() + second;
     double all = 0.0, visible = 0.0;
     std::size_t cast = 0;
@@ -34,9 +52,10 @@ double Visibility::visibleShare(std::size_t first, std::size_t second) const {
         if (away <= 0.0 || towards <= 0.0) continue;
         const double carried = away * towards / (distance2 * distance2);
         all += carried;
-        if (!scene.hides(from, to, faceA, faceB)) visible += carried;
-        if (++cast == firstRays && (visible == 0.0 || visible == all)) break;
+        if (!stops(from, to)) visible += carried;
+        if (++cast == deciding && (visible == 0.0 || visible == all)) break;
     }
+    traced.fetch_add(cast, std::memory_order_relaxed);
     return all > 0.0 ? visible / all : 1.0;
 }
 

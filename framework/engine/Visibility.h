@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <vector>
 
 #include "engine/Geometry.h"
@@ -17,20 +19,27 @@ public:
 
     /// The share of the unoccluded exchange between two patches that gets through, 0 to 1.
     ///
-    /// Rays join points spread over both patches, each weighted by what it would carry. Where the first 16 agree, they decide: an
-    /// occluder that hides less than a sixteenth may be missed.
+    /// Rays join points spread over both patches, each weighted by what it would carry. With more than Shafts::mostFaces faces, where
+    /// nothing is known of a pair beforehand, the first 16 rays decide where they agree: an occluder that hides less than a
+    /// sixteenth may be missed.
     ///
-    /// @cost nothing but the shaft's test where nothing stands between them; else 16 rays, or `most` where these disagree
+    /// @cost pairs that see everything or nothing: no ray; others: `most` rays, each against the few faces between them;
+    ///       with many faces 16 rays for every pair, and `most` where these disagree
     double visibleShare(std::size_t first, std::size_t second) const;
 
-    std::size_t rays() const { return scene.rays(); }
+    /// How many rays were traced so far.
+    std::size_t rays() const { return traced; }
 
 private:
+    template <class Stops>
+    double shareByRays(std::size_t first, std::size_t second, std::size_t deciding, const Stops& stops) const;
+
     const Geometry& geometry;
     std::size_t mostRays;
-    Shafts shafts;
-    RayScene scene;
+    std::unique_ptr<Shafts> shafts;   // where there are few faces,
+    std::unique_ptr<RayScene> scene;  // and where there are many
     std::vector<AreaSampler> samplers;
+    mutable std::atomic<std::size_t> traced{0};
 };
 
 }  // namespace radlab::engine
