@@ -1,0 +1,108 @@
+#include "engine/Visibility.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "engine/EngineTestHelp.h"
+#include "engine/LowDiscrepancy.h"
+
+using namespace radlab::engine;
+using namespace radlab::test;
+using doctest::Approx;
+
+namespace {
+
+// A room with a turned block on its floor and a concave board in the air, each side in count x count patches.
+Geometry furnishedRoom(int count) {
+    Geometry room;
+    room.faces = boxSides(4, 4, 3);
+    const Point foot(1.2, 1.4, 0), u(0.9, 0.4, 0), v(-0.4, 0.9, 0), up(0, 0, 1.3);
+    for (const Polygon& side :
+         {parallelogram(foot + up, u, v), parallelogram(foot, u, up), parallelogram(foot + u, v, up),
+          parallelogram(foot + u + v, -u, up), parallelogram(foot + v, -v, up)})
+        room.faces.push_back(side);
+    room.faces.push_back(Polygon({Point(2, 2, 2), Point(3.5, 2.2, 2.3), Point(2.5, 2.5, 2.2), Point(2.3, 3.5, 2.3)}));
+    for (std::size_t face = 0; face < room.faces.size(); ++face) {
+        const std::vector<Point>& c = room.faces[face].corners;
+        const Point along = (c[1] - c[0]) / double(count), across = (c[3] - c[0]) / double(count);
+        const bool board = face + 1 == room.faces.size();
+        for (int i = 0; i < count * count; ++i) {
+            room.patches.push_back(
+                board ? room.faces[face]
+                      : parallelogram(c[0] + double(i / count) * along + double(i % count) * across, along, across));
+            room.faceOf.push_back(face);
+            if (board) break;
+        }
+    }
+    return room;
+}
+
+}  // namespace
+
+TEST_CASE("what the shafts say of a pair is what rays find") {
+    const Geometry room = furnishedRoom(6);
+    const Shafts shafts(room);
+    const RayScene rays(room.faces);
+    std::vector<const Blocker*> between;
+    std::size_t found[3] = {}, wrong = 0, cast = 0, missed = 0;
+    for (std::size_t i = 0; i < room.patches.size(); ++i)
+        for (std::size_t j = i + 1; j < room.patches.size(); ++j) {
+            const Sight sight = shafts.sight(i, j, between);
+            ++found[static_cast<int>(sight)];
+            const AreaSampler one(room.patches[i]), other(room.patches[j]);
+            for (std::uint64_t k = 0; k < 8; ++k) {
+                const auto at = lowDiscrepancyPoint(i * 1000 + j, k);
+                const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
+                // Behind a patch nobody looks.
+                if (glm::dot(to - from, room.patches[i].normal) <= 1e-3) continue;
+                if (glm::dot(from - to, room.patches[j].normal) <= 1e-3) continue;
+                const bool stopped = rays.hides(from, to, room.faceOf[i], room.faceOf[j]);
+                ++cast;
+                wrong += (sight == Sight::clear && stopped) || (sight == Sight::hidden && !stopped);
+                if (sight != Sight::partly) continue;
+                bool blocked = false;
+                for (const Blocker* blocker : between) blocked = blocked || blocker->stops(from, to);
+                missed += blocked != stopped;
+            }
+        }
+    CHECK(found[static_cast<int>(Sight::clear)] > 300);
+    CHECK(found[static_cast<int>(Sight::hidden)] > 20);
+    CHECK(found[static_cast<int>(Sight::partly)] > 100);
+    CHECK(cast > 10000);
+    CHECK(double(wrong) < 2e-4 * double(cast));  // rays run in floats, and may slip through at an edge
+    CHECK(double(missed) < 2e-3 * double(cast));
+}
+
+TEST_CASE("a blocker stops what crosses it, and nothing that only touches it or ends on it") {
+    const Blocker square(onFloor(0, 0, 1, 1), 1e-9);
+    CHECK(square.stops(Point(.5, .5, 1), Point(.5, .5, -1)));
+    CHECK(square.stops(Point(.5, .5, -1), Point(.9, .1, 3)));
+    CHECK_FALSE(square.stops(Point(.5, .5, 1), Point(.5, .5, 0)));
+    CHECK_FALSE(square.stops(Point(.5, .5, 0), Point(.5, .5, 1)));
+    CHECK_FALSE(square.stops(Point(1.5, .5, 1), Point(1.5, .5, -1)));
+    CHECK_FALSE(square.stops(Point(0, .5, 1), Point(0, .5, -1)));
+    CHECK_FALSE(square.stops(Point(0, 0, 0), Point(1, 1, 0)));
+    CHECK(square.between(onCeiling(.4, .4, 1, .2, .2), onFloor(.4, .4, .2, .2)) == Sight::partly);
+    const auto below = [](double x) { return parallelogram(Point(x, .4, -1), Point(.2, 0, 0), Point(0, .2, 0)); };
+    CHECK(square.between(onCeiling(.4, .4, 1, .2, .2), below(.4)) == Sight::hidden);
+    CHECK(square.between(onCeiling(.4, .4, 1, .2, .2), below(1.5)) == Sight::partly);
+    CHECK(square.between(onCeiling(.4, .4, 1, .2, .2), below(1.7)) == Sight::clear);
+}
+
+TEST_CASE("triangles of a polygon of any shape add up to it, and samples lie in it") {
+    const Polygon arrow({Point(-1, -1, 2), Point(0, 1, 2), Point(1, -1, 2), Point(0, -0.5, 2)});
+    double area = 0.0;
+    for (const Triangle& t : trianglesOf(arrow)) area += Polygon({t[0], t[1], t[2]}).area;
+    CHECK(area == Approx(arrow.area).epsilon(1e-12));
+    const AreaSampler sampler(arrow);
+    Point mean(0.0);
+    for (std::uint64_t k = 0; k < 4096; ++k) {
+        const auto at = lowDiscrepancyPoint(1, k);
+        const Point point = sampler.at(at[0], at[1]);
+        CHECK(point.y >= -0.5 - 0.5 * std::abs(point.x) - 1e-12);
+        CHECK(point.y <= 1.0 - 2.0 * std::abs(point.x) + 1e-12);
+        mean += point / 4096.0;
+    }
+    CHECK(glm::length(mean - arrow.center) < 1e-3);
+}
