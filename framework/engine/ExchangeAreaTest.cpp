@@ -5,10 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/EngineTestHelp.h"
+#include "engine/ClosedFormRoom.h"
 
 using namespace radlab::engine;
-using namespace radlab::test;
 using doctest::Approx;
 
 namespace {

@@ -6,13 +6,12 @@
 #include <tbb/global_control.h>
 
 #include "base/Error.h"
-#include "engine/EngineTestHelp.h"
+#include "engine/ClosedFormRoom.h"
 #include "engine/ExchangeArea.h"
 #include "engine/PointFormFactor.h"
 
 using namespace radlab;
 using namespace radlab::engine;
-using namespace radlab::test;
 using doctest::Approx;
 
 namespace {

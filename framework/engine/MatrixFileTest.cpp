@@ -7,7 +7,7 @@
 #include "base/Error.h"
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
-#include "engine/EngineTestHelp.h"
+#include "engine/ClosedFormRoom.h"
 
 using namespace radlab;
 using namespace radlab::engine;

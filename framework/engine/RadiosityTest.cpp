@@ -6,12 +6,11 @@
 #include <tbb/global_control.h>
 
 #include "base/Error.h"
-#include "engine/EngineTestHelp.h"
+#include "engine/ClosedFormRoom.h"
 #include "engine/FormFactors.h"
 
 using namespace radlab;
 using namespace radlab::engine;
-using namespace radlab::test;
 using doctest::Approx;
 
 namespace {

@@ -1,6 +1,7 @@
 #include "engine/RayScene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <embree3/rtcore.h>
 
@@ -19,12 +20,23 @@ struct Passing {
     RTCIntersectContext context;
     const std::size_t* polygonOf;
     std::size_t first, second;  // polygons that the ray passes through
+    const Plane* planes = nullptr;
+    Point from{0.0};
+    double near = 0.0;  // up to here doubles decide, where floats cannot: a ray that starts in a plane does not meet it
 };
+
+bool startsInPlane(const Passing& passing, std::size_t polygon) {
+    const Plane& plane = passing.planes[polygon];
+    const Point from = passing.from - plane.on;
+    return std::abs(glm::dot(from, plane.normal)) <= planeTolerance * glm::length(from);
+}
 
 void passThrough(const RTCFilterFunctionNArguments* arguments) {
     const auto* passing = reinterpret_cast<const Passing*>(arguments->context);
     const std::size_t polygon = passing->polygonOf[RTCHitN_primID(arguments->hit, arguments->N, 0)];
     if (polygon == passing->first || polygon == passing->second) arguments->valid[0] = 0;
+    const double distance = double(RTCRayN_tfar(arguments->ray, arguments->N, 0));
+    if (passing->planes && distance < passing->near && startsInPlane(*passing, polygon)) arguments->valid[0] = 0;
 }
 
 RTCRay rayFrom(const Point& from, const Point& direction, double nearest, double farthest) {
@@ -80,7 +92,7 @@ struct RayScene::Tree {
     }
 
     Passing passing(const std::vector<std::size_t>& polygonOf, std::size_t first, std::size_t second) const {
-        Passing made{{}, polygonOf.data(), first, second};
+        Passing made{{}, polygonOf.data(), first, second, nullptr, Point(0.0), 0.0};
         rtcInitIntersectContext(&made.context);
         made.context.filter = passThrough;
         return made;
@@ -90,6 +102,7 @@ struct RayScene::Tree {
 RayScene::RayScene(const std::vector<Polygon>& polygons) : tree(std::make_unique<Tree>()) {
     std::vector<Triangle> triangles;
     Point low(0.0), high(0.0);
+    for (const Polygon& polygon : polygons) planes.push_back({polygon.center, polygon.normal});
     for (std::size_t i = 0; i < polygons.size(); ++i)
         for (const Triangle& triangle : trianglesOf(polygons[i])) {
             for (const Point& point : triangle) {
@@ -119,9 +132,12 @@ bool RayScene::hides(const Point& from, const Point& to, std::size_t first, std:
 
 std::size_t RayScene::firstHit(const Point& from, const Point& direction, std::size_t start) const {
     RTCRayHit hit{};
-    hit.ray = rayFrom(from - origin, direction, tree->offset / glm::length(direction), 1e30);
+    hit.ray = rayFrom(from - origin, direction, 0.0, 1e30);
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     Passing passing = tree->passing(polygonOf, start, start);
+    passing.planes = planes.data();
+    passing.from = from;
+    passing.near = tree->offset / glm::length(direction);
     traced.fetch_add(1, std::memory_order_relaxed);
     rtcIntersect1(tree->scene, &passing.context, &hit);
     return hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nothing : polygonOf[hit.hit.primID];

@@ -9,6 +9,11 @@
 
 namespace radlab::engine {
 
+/// A point of a plane and its unit normal.
+struct Plane {
+    Point on, normal;
+};
+
 /// Polygons as rays meet them: opaque from both sides.
 ///
 /// Rays run in floats, in a frame with its origin in the middle of the scene. May be asked by several threads at once.
@@ -36,6 +41,7 @@ private:
     std::unique_ptr<Tree> tree;
     Point origin{0.0};
     std::vector<std::size_t> polygonOf;  // of each triangle
+    std::vector<Plane> planes;           // of each polygon
     mutable std::atomic<std::size_t> traced{0};
 };
 

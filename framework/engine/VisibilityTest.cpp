@@ -4,11 +4,10 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/EngineTestHelp.h"
+#include "engine/ClosedFormRoom.h"
 #include "engine/LowDiscrepancy.h"
 
 using namespace radlab::engine;
-using namespace radlab::test;
 using doctest::Approx;
 
 namespace {
