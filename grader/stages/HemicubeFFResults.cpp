@@ -33,7 +33,9 @@ void normalize(Shot& shot) {
     for (const double value : shot.row.values) sum += value;
     if (sum <= 0.0) return;
     for (std::size_t j = 0; j < shot.row.values.size(); ++j) {
-        shot.row.slack[j] = (shot.row.slack[j] + shot.row.values[j] * slack / sum) / sum;
+        // The sum may be smaller by the slack of the pixels that may be background.
+        shot.row.slack[j] =
+            sum > slack ? (shot.row.slack[j] + shot.row.values[j] * slack / sum) / (sum - slack) : unknown;
         shot.row.values[j] /= sum;
     }
 }

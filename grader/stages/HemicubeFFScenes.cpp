@@ -174,6 +174,12 @@ Scene coplanar(Random& random) {
     addPatch(state, {own[3] + 0.3f * normal, own[2] + 0.3f * normal, own[2] + normal, own[3] + normal});
     addPatch(state, {own[1] + normal, own[0] + normal, own[0] + 0.2f * right + 1.5f * normal});
     randomLight(random, state);
+    // Straight behind, for those who look backwards.
+    addPatch(state, {own[0] - normal, own[1] - normal, own[2] - normal, own[3] - normal});
+    MyPolygon& behind = state.patches.back();
+    for (Vec3f MyPolygon::*light : {&MyPolygon::rad, &MyPolygon::unshot_rad, &MyPolygon::diffuse, &MyPolygon::emissive})
+        behind.*light = state.patches.front().*light;
+    behind.formF = state.patches.front().formF;
     return {std::move(state), 1};
 }
 

@@ -34,7 +34,7 @@ Scene furnishedRoom(Random& random);
 /// Patches behind others, one half of the shooter's view.
 Scene hidden(Random& random);
 
-/// Patches in the shooter's plane, one at its back, and some that stand up before it.
+/// Patches in the shooter's plane, one at its back, one farther behind, and some that stand up before it.
 Scene coplanar(Random& random);
 
 /// Large patches round a shooter among many small ones, the cells of a wall behind them. The first and the last patch of all are in
