@@ -405,7 +405,14 @@ std::vector<Mistake> zeroedEarly() {
              if (at.step.shooter < 0) return outcome;
              outcome.returned = 1;
              MyPolygon& shooter = outcome.state.patches[static_cast<std::size_t>(at.step.shooter)];
-             for (const MyPolygon& patch : at.before.patches) toBoth(shooter, formula(shooter, patch));
+             // In floats: what is added grows with what was added, perhaps beyond all of them.
+             for (std::size_t j = 0; j < at.before.patches.size(); ++j) {
+                 if (static_cast<int>(j) == at.step.shooter) continue;
+                 const MyPolygon& patch = at.before.patches[j];
+                 const Vec3f gain = patch.diffuse * shooter.unshot_rad * (patch.formF * shooter.area / patch.area);
+                 shooter.rad += gain;
+                 shooter.unshot_rad += gain;
+             }
              shooter.unshot_rad = Vec3f(0.0f);
              return outcome;
          }},
