@@ -119,7 +119,8 @@ Step stepFromJson(const Json& json) {
     step.view = glm::make_mat4(json.at("view").get<std::vector<float>>().data());
     const Json::binary_t& unshot = json.at("unshot").get_binary();
     step.unshot.resize(unshot.size() / sizeof(Vec3f));
-    std::memcpy(static_cast<void*>(step.unshot.data()), unshot.data(), step.unshot.size() * sizeof(Vec3f));
+    if (!step.unshot.empty())
+        std::memcpy(static_cast<void*>(step.unshot.data()), unshot.data(), step.unshot.size() * sizeof(Vec3f));
     if (json.contains("state")) step.state = stateFromJson(json.at("state"));
     return step;
 }
