@@ -19,8 +19,9 @@ Command workerCommand(const std::filesystem::path& library, const Toolchain& too
     Command command;
     command.arguments = {toolchain.worker.string(), library.string()};
     // No threads in the software renderer: as many processes as there are cores run already.
-    for (const char* setting : {"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true",
-                                "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0", "UBSAN_OPTIONS=print_stacktrace=1"})
+    for (const char* setting :
+         {"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true",
+          "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:handle_segv=0", "UBSAN_OPTIONS=print_stacktrace=1"})
         command.environment.emplace_back(setting);
     return command;
 }

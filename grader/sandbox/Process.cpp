@@ -93,7 +93,8 @@ void limit(int resource, std::size_t value) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, limits.file);
     if (limits.memory) limit(RLIMIT_AS, limits.memory);
-    if (limits.seconds > 0) limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)) + 1);
+    // Beyond what the judge allows, so that the judge comes first, whose reckoning of waiting is not to the second.
+    if (limits.seconds > 0) limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(2.0 * limits.seconds)) + 1);
     signal(SIGPIPE, SIG_DFL);
     if (chdir(folder) == 0) execve(arguments[0], arguments, environment);
     _exit(cannotStart);
