@@ -2,10 +2,8 @@
 
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/CommandLine.h"
 #include "apps/DemoPage.h"
-#include "base/Program.h"
 #include "gl/Context.h"
 
 namespace {
@@ -37,15 +35,9 @@ int main(int argc, char** argv) {
     flags.add_option("--empty", empty,
                      "Settings (Resource.xml) of stages 1 to 4: a scene in which nothing hides anything");
     flags.add_option("--furnished", furnished, "Settings (Resource.xml) of stages 5 and 6: a scene with shadows");
-    flags.set_version_flag("--version", "radlab " RADLAB_VERSION);
     flags.footer(
         "Example: ./radlab demo --out /tmp/demo\n         ./radlab demo --exercise   (first: your own functions)");
-    try {
-        flags.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return flags.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] {
+    return radlab::runCommandLine(flags, argc, argv, [&] {
         const auto context = radlab::GlContext::offscreen();
         const radlab::Demo demo = radlab::makeDemo(empty, furnished, tell);
         tellNextStep(demo, radlab::writeDemo(demo, out).string());

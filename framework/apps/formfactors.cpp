@@ -2,13 +2,9 @@
 
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
-#include "apps/SceneInput.h"
-#include "base/Program.h"
-#include "base/ProgressBar.h"
+#include "apps/CommandLine.h"
+#include "apps/FormFactorRun.h"
 #include "engine/ExchangeArea.h"
-#include "engine/FormFactors.h"
 #include "engine/MatrixFile.h"
 
 namespace {
@@ -18,8 +14,8 @@ using namespace radlab::engine;
 
 struct Flags {
     SceneFlags scene;
-    std::string out, method = "auto";
-    std::size_t rays = 0;
+    FormFactorFlags formFactors;
+    std::string out;
     double tolerance = 0.0;
     bool faces = false, enforce = false;
 };
@@ -33,19 +29,14 @@ std::string describeRun(const FormFactorReport& report, const Effects& effects) 
 
 int formFactorTable(const Flags& flags) {
     requireMatrixFile(flags.out);
-    FormFactorOptions options;
-    options.method = methodNamed(flags.method);
-    options.rays = flags.rays;
+    FormFactorOptions options = optionsOf(flags.formFactors);
     if (flags.tolerance > 0.0)
         options.tolerance = flags.tolerance;
     else if (options.method == Method::exact)
         options.tolerance = finestTolerance;
     const SceneInput input = flags.faces ? readFacesInput(flags.scene) : readSceneInput(flags.scene);
-    options.occlusion = input.effects.occlusion;
     FormFactorReport report;
-    ProgressBar bar("form factors", static_cast<double>(input.geometry.patches.size()), "rows");
-    options.progress = [&](std::size_t rows) { bar.show(static_cast<double>(rows)); };
-    FormFactorMatrix matrix = formFactors(input.geometry, options, &report);
+    FormFactorMatrix matrix = runFormFactors(input, options, report);
     std::string summary =
         input.summary + "\n" + describeRun(report, input.effects) + "\n" + describe(qualityOf(matrix));
     if (flags.enforce) {
@@ -61,17 +52,13 @@ int formFactorTable(const Flags& flags) {
 void describe(CLI::App& app, Flags& flags) {
     addSceneFlags(app, flags.scene);
     app.add_option("-o,--out", flags.out, "The file to write, .csv or .npy")->required();
-    app.add_option("--method", flags.method, "point, polygon, exact, hemisphere, visibility or auto")
-        ->capture_default_str();
+    addFormFactorFlags(app, flags.formFactors);
     app.add_flag("--faces", flags.faces, "Take the scene's faces as the patches, in the file's order")
         ->excludes("--patch-size");
-    app.add_option("--rays", flags.rays, "Rays from each patch (hemisphere) or for a pair partly hidden (visibility)")
-        ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 32));
     app.add_option("--tolerance", flags.tolerance,
                    "Relative error of what is not hidden; else 1e-12 for exact, 1e-6 for visibility and auto")
         ->check(CLI::Range(finestTolerance, 0.1));
     app.add_flag("--enforce", flags.enforce, "Make both laws hold: reciprocity, and rows that add up to 1");
-    app.set_version_flag("--version", "radlab " RADLAB_VERSION);
     app.footer("Example: ./radlab formfactors resources/scenes/cornell_1.x3d --method exact -o F.csv");
 }
 
@@ -81,10 +68,5 @@ int main(int argc, char** argv) {
     CLI::App app("Writes the form factors between all patches of a scene as a table.");
     Flags flags;
     describe(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] { return formFactorTable(flags); });
+    return radlab::runCommandLine(app, argc, argv, [&] { return formFactorTable(flags); });
 }

@@ -1,22 +1,18 @@
 // A scene solved by the engine: its picture, and the radiosity of every patch.
 
-#include <charconv>
 #include <iostream>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
-#include "apps/SceneInput.h"
+#include "apps/CommandLine.h"
+#include "apps/FormFactorRun.h"
 #include "base/ImageFile.h"
-#include "base/Program.h"
-#include "base/ProgressBar.h"
+#include "base/NumberText.h"
 #include "base/Stopwatch.h"
 #include "base/Warning.h"
 #include "base/WholeFile.h"
 #include "course/ProgRef.h"
 #include "display/Draw.h"
 #include "display/ToneMap.h"
-#include "engine/FormFactors.h"
 #include "engine/Radiosity.h"
 #include "gl/Context.h"
 
@@ -27,8 +23,9 @@ using namespace radlab::engine;
 
 struct Flags {
     SceneFlags scene;
-    std::string image, table, method = "auto";
-    std::size_t rays = 0, camera = 0;
+    FormFactorFlags formFactors;
+    std::string image, table;
+    std::size_t camera = 0;
     int width = 800, height = 800;
     bool flat = false;
     double exposure = 0.0;
@@ -40,15 +37,9 @@ struct Solution {
     std::string summary;
 };
 
-Solution solve(const SceneInput& input, const Flags& flags) {
-    FormFactorOptions options;
-    options.method = methodNamed(flags.method);
-    options.rays = flags.rays;
-    options.occlusion = input.effects.occlusion;
+Solution solve(const SceneInput& input, const FormFactorOptions& options) {
     FormFactorReport factors;
-    ProgressBar bar("form factors", static_cast<double>(input.geometry.patches.size()), "rows");
-    options.progress = [&](std::size_t rows) { bar.show(static_cast<double>(rows)); };
-    FormFactorMatrix matrix = formFactors(input.geometry, options, &factors);
+    FormFactorMatrix matrix = runFormFactors(input, options, factors);
     if (factors.method == Method::polygon || factors.method == Method::hemisphere) makeReciprocal(matrix);
     const Stopwatch watch;
     Solution solution;
@@ -65,11 +56,7 @@ Solution solve(const SceneInput& input, const Flags& flags) {
 }
 
 void appendNumbers(std::string& line, const Point& values) {
-    for (int c = 0; c < 3; ++c) {
-        char number[32];
-        const auto end = std::to_chars(number, number + sizeof number, values[c], std::chars_format::general, 9);
-        line.append(",").append(number, end.ptr);
-    }
+    for (int c = 0; c < 3; ++c) appendNumber(line += ',', values[c], 9);
 }
 
 void writeTable(const std::string& file, const SceneInput& input, const Solution& solution) {
@@ -80,9 +67,7 @@ void writeTable(const std::string& file, const SceneInput& input, const Solution
             std::string line = std::to_string(i) + "," + std::to_string(input.geometry.faceOf[i]);
             appendNumbers(line, patch.center);
             appendNumbers(line, patch.normal);
-            char area[32];
-            line.append(",").append(
-                area, std::to_chars(area, area + sizeof area, patch.area, std::chars_format::general, 9).ptr);
+            appendNumber(line += ',', patch.area, 9);
             appendNumbers(line, solution.surfaces.reflectance[i]);
             appendNumbers(line, solution.surfaces.emission[i]);
             appendNumbers(line, solution.radiosity[i]);
@@ -108,14 +93,9 @@ void drawImage(const Flags& flags, SceneInput& input, const Solution& solution) 
     writeImage(flags.image, toneMap(radiance, exposure));
 }
 
-void requireImageFile(const std::string& file) {
-    const std::string ending = std::filesystem::path(file).extension().string();
-    if (!file.empty() && ending != ".png" && ending != ".hdr")
-        throw Error(file + ": found the ending '" + ending + "', expected .png or .hdr");
-}
-
 int render(const Flags& flags) {
-    requireImageFile(flags.image);
+    const FormFactorOptions options = optionsOf(flags.formFactors);
+    if (!flags.image.empty()) requireImageFile(flags.image);
     if (flags.image.empty() && flags.table.empty())
         throw Error("nothing to write: expected -o image.png (or .hdr), --csv patches.csv, or both");
     SceneInput input = readSceneInput(flags.scene);
@@ -126,7 +106,7 @@ int render(const Flags& flags) {
     if (std::none_of(input.mesh->patches.begin(), input.mesh->patches.end(),
                      [](const MyPolygon& patch) { return patch.emissive != Vec3f(0.0f); }))
         warn(input.scene.file + ": nothing emits light, so every radiosity is 0");
-    const Solution solution = solve(input, flags);
+    const Solution solution = solve(input, options);
     std::cout << solution.summary << '\n';
     if (!flags.table.empty()) writeTable(flags.table, input, solution);
     if (!flags.image.empty()) drawImage(flags, input, solution);
@@ -140,17 +120,13 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("-o,--out", flags.image, "The picture: .png, or .hdr with linear radiance");
     app.add_option("--csv", flags.table,
                    "A table of the patches: centre, normal, area, reflectance, emission, radiosity");
-    app.add_option("--method", flags.method, "Form factors by point, polygon, exact, hemisphere, visibility or auto")
-        ->capture_default_str();
-    app.add_option("--rays", flags.rays, "Rays from each patch (hemisphere) or for a pair partly hidden (visibility)")
-        ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 32));
+    addFormFactorFlags(app, flags.formFactors);
     app.add_option("--width", flags.width, "Pixels")->capture_default_str()->check(CLI::Range(1, 8192));
     app.add_option("--height", flags.height, "Pixels")->capture_default_str()->check(CLI::Range(1, 8192));
     app.add_option("--camera", flags.camera, "Which of the scene's viewpoints, the first is 0")->capture_default_str();
     app.add_option("--exposure", flags.exposure, "Display value per radiance, of a PNG; else chosen by the picture")
         ->check(CLI::PositiveNumber);
     app.add_flag("--flat", flags.flat, "One colour a patch, not smooth from vertex to vertex");
-    app.set_version_flag("--version", "radlab " RADLAB_VERSION);
     app.footer("Example: ./radlab render resources/scenes/cornell_2.x3d -o box.png --csv box.csv");
 }
 
@@ -160,10 +136,5 @@ int main(int argc, char** argv) {
     CLI::App app("Solves a scene's light and draws it.");
     Flags flags;
     describe(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] { return render(flags); });
+    return radlab::runCommandLine(app, argc, argv, [&] { return render(flags); });
 }

@@ -4,9 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
-#include "base/Program.h"
+#include "apps/CommandLine.h"
 #include "engine/HardCases.h"
 
 namespace {
@@ -52,11 +50,5 @@ int main(int argc, char** argv) {
     app.add_option("--rays", rays, "Rays from a patch, or for a pair")
         ->capture_default_str()
         ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 32));
-    app.set_version_flag("--version", "radlab " RADLAB_VERSION);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] { return print(rays) ? 0 : 1; });
+    return radlab::runCommandLine(app, argc, argv, [&] { return print(rays) ? 0 : 1; });
 }

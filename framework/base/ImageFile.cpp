@@ -32,6 +32,12 @@
 
 namespace radlab {
 
+void requireImageFile(const std::filesystem::path& file) {
+    if (file.extension() != ".png" && file.extension() != ".hdr")
+        throw Error({file.string()}, "unknown kind of picture: found the ending '" + file.extension().string() +
+                                         "', expected .png or .hdr");
+}
+
 #ifdef RADLAB_HAVE_STB
 
 namespace {
@@ -134,26 +140,17 @@ Image decodeHdr(const unsigned char* bytes, int size, const std::string& name) {
     return image;
 }
 
-[[noreturn]] void unknownEnding(const std::filesystem::path& file) {
-    throw Error({file.string()},
-                "unknown kind of picture: found the ending '" + file.extension().string() + "', expected .png or .hdr");
-}
-
 }  // namespace
 
 void writeImage(const std::filesystem::path& file, const Image& image) {
     RADLAB_CHECK(!image.empty());
-    if (file.extension() == ".png")
-        writeFile(file, encodePng(image));
-    else if (file.extension() == ".hdr")
-        writeFile(file, encodeHdr(image));
-    else
-        unknownEnding(file);
+    requireImageFile(file);
+    writeFile(file, file.extension() == ".png" ? encodePng(image) : encodeHdr(image));
 }
 
 Image readImage(const std::filesystem::path& file) {
+    requireImageFile(file);
     const bool png = file.extension() == ".png";
-    if (!png && file.extension() != ".hdr") unknownEnding(file);
     const std::string bytes = readFile(file);
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
     const int size = static_cast<int>(bytes.size());

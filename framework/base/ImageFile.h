@@ -6,6 +6,11 @@
 
 namespace radlab {
 
+/// Makes sure that a picture can be written to a file of that name, before anyone waits for the picture.
+///
+/// Errors: an ending other than .png and .hdr.
+void requireImageFile(const std::filesystem::path& file);
+
 /// Writes a picture as PNG (8 bits a channel) or Radiance HDR, by the ending of the file's name.
 ///
 /// PNG takes the numbers as they are: 0 to 1 is black to white, ready for display, the rest is clamped. HDR keeps

@@ -91,6 +91,17 @@ double floatResolution(const Corners& corners) {
 
 bool hasNoArea(const Corners& corners, double area) { return area <= floatResolution(corners) * diameter(corners); }
 
+double distanceToSegment(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end) {
+    const glm::dvec3 edge = end - begin;
+    const double length2 = glm::dot(edge, edge);
+    const double t = length2 > 0.0 ? std::clamp(glm::dot(point - begin, edge) / length2, 0.0, 1.0) : 0.0;
+    return glm::distance(point, begin + t * edge);
+}
+
+glm::dvec3 axisAcross(const glm::dvec3& direction) {
+    return std::abs(direction.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+}
+
 glm::dvec3 areaVector(const Corners& corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)

@@ -20,8 +20,13 @@ double floatResolution(const Corners& corners);
 /// Whether a polygon of that area is thinner than what float coordinates of its size and place can tell apart.
 bool hasNoArea(const Corners& corners, double area);
 
+/// How far a point is from a straight edge, its ends included.
+double distanceToSegment(const glm::dvec3& point, const glm::dvec3& begin, const glm::dvec3& end);
+
+/// An axis that is far from parallel to a unit vector, to cross it with: x, or y where the vector is near x.
+glm::dvec3 axisAcross(const glm::dvec3& direction);
+
 /// The area vector of a closed polygon: normal times area, counter-clockwise positive.
-///
 glm::dvec3 areaVector(const Corners& corners);
 
 /// Centroid of the area of a planar polygon with the given unit normal, convex or not.

@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "course/FacePolygon.h"
+
 namespace radlab {
 
 namespace {
 
 constexpr double smallestRatio = 1e-6;
 constexpr double floatRounding = 0x1p-24;
-
-double distanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 edge = b - a;
-    const double length2 = glm::dot(edge, edge);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
-    return glm::distance(p, a + t * edge);
-}
 
 // How far a corner may seem to lie over the shooter's plane, because its place, the eye and the normal are floats.
 double planeError(const glm::dvec3& corner, const glm::dvec3& eye) {

@@ -138,38 +138,32 @@ double near(const Polygon& a, const Polygon& b, double tolerance) {
     return b.radius > muchLarger * a.radius ? cutLarger(a, b, tolerance) : alongOutlines(a, b, 0.1 * tolerance);
 }
 
+double far(const Polygon& a, const Polygon& b, const Orders& orders) {
+    return byNodes(nodeSet(a, static_cast<int>(orders.a)), a.normal, nodeSet(b, static_cast<int>(orders.b)), b.normal);
+}
+
 double between(const Polygon& a, const Polygon& b, double tolerance) {
     const Orders orders = ordersFor(a, b, glm::length(b.center - a.center), tolerance);
-    if (!orders.far()) return near(a, b, tolerance);
-    return byNodes(nodeSet(a, static_cast<int>(orders.a)), a.normal, nodeSet(b, static_cast<int>(orders.b)), b.normal);
+    return orders.far() ? far(a, b, orders) : near(a, b, tolerance);
 }
 
 enum class Side { front, back, across };
 
 // On which side of its plane a polygon has another one; what touches the plane up to rounding is not across it.
 Side sideOf(const Polygon& plane, const Polygon& polygon, double distance) {
-    double low = INFINITY, high = -INFINITY;
-    for (const Point& corner : polygon.corners) {
-        const double height = glm::dot(corner - plane.center, plane.normal);
-        low = std::min(low, height);
-        high = std::max(high, height);
-    }
+    const Range heights = heightsOver(polygon, plane.center, plane.normal);
     const double rounding = planeTolerance * (distance + polygon.radius);
-    if (high <= rounding) return Side::back;
-    return low >= -rounding ? Side::front : Side::across;
-}
-
-double clippedExchange(const Polygon& a, const Polygon& b, double tolerance) {
-    const Polygon inFrontA = frontPart(a, b.center, b.normal), inFrontB = frontPart(b, a.center, a.normal);
-    if (!(inFrontA.area > 0.0) || !(inFrontB.area > 0.0)) return 0.0;
-    return std::max(between(inFrontA, inFrontB, tolerance), 0.0);
+    if (heights.high <= rounding) return Side::back;
+    return heights.low >= -rounding ? Side::front : Side::across;
 }
 
 }  // namespace
 
 double exchangeArea(const Polygon& a, const Polygon& b, double tolerance) {
     RADLAB_CHECK(tolerance >= finestTolerance);
-    return clippedExchange(a, b, tolerance);
+    const Polygon inFrontA = frontPart(a, b.center, b.normal), inFrontB = frontPart(b, a.center, a.normal);
+    if (!(inFrontA.area > 0.0) || !(inFrontB.area > 0.0)) return 0.0;
+    return std::max(between(inFrontA, inFrontB, tolerance), 0.0);
 }
 
 ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double error) : polygons(list), tolerance(error) {
@@ -185,11 +179,11 @@ double ExchangeAreas::operator()(std::size_t i, std::size_t j) const {
     const double distance = glm::length(b.center - a.center);
     const Side ofA = sideOf(a, b, distance), ofB = sideOf(b, a, distance);
     if (ofA == Side::back || ofB == Side::back) return 0.0;
-    if (ofA == Side::across || ofB == Side::across) return clippedExchange(a, b, tolerance);
+    if (ofA == Side::across || ofB == Side::across) return exchangeArea(a, b, tolerance);
     const Orders orders = ordersFor(a, b, distance, tolerance);
     if (!orders.far()) return std::max(near(a, b, tolerance), 0.0);
     const auto orderA = static_cast<std::size_t>(orders.a), orderB = static_cast<std::size_t>(orders.b);
-    if (std::max(orderA, orderB) > keptOrders) return std::max(between(a, b, tolerance), 0.0);
+    if (std::max(orderA, orderB) > keptOrders) return std::max(far(a, b, orders), 0.0);
     return std::max(byNodes(nodes[orderA - 1][i], a.normal, nodes[orderB - 1][j], b.normal), 0.0);
 }
 

@@ -1,11 +1,11 @@
 #include "engine/MatrixFile.h"
 
 #include <bit>
-#include <charconv>
 #include <ostream>
 #include <sstream>
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "base/WholeFile.h"
 
 namespace radlab::engine {
@@ -21,11 +21,8 @@ void writeCsv(std::ostream& out, const FormFactorMatrix& matrix, const std::stri
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         text.clear();
         for (std::size_t j = 0; j < matrix.size(); ++j) {
-            char number[32];
-            const auto end =
-                std::to_chars(number, number + sizeof number, matrix.at(i, j), std::chars_format::general, 17);
             if (j > 0) text += ',';
-            text.append(number, end.ptr);
+            appendNumber(text, matrix.at(i, j), 17);
         }
         out << text << '\n';
     }

@@ -36,7 +36,7 @@ double lambertSum(const Point& point, const Point& normal, const Polygon& polygo
 }
 
 double pointToPolygon(const Point& point, const Point& normal, const Polygon& polygon) {
-    if (frontPart(Polygon({point}), polygon.center, polygon.normal).corners.empty()) return 0.0;
+    if (heightOver(point, polygon.center, polygon.normal) <= 0.0) return 0.0;
     const Polygon seen = frontPart(polygon, point, normal);
     if (seen.corners.empty()) return 0.0;
     if (glm::length(seen.center - point) < farRadii * seen.radius)

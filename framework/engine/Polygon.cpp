@@ -10,13 +10,6 @@ namespace radlab::engine {
 
 namespace {
 
-// How far a point stands out of a plane; 0 where rounding alone may have moved it off.
-double height(const Point& point, const Point& on, const Point& normal) {
-    const Point from = point - on;
-    const double above = glm::dot(from, normal);
-    return std::abs(above) <= planeTolerance * glm::length(from) ? 0.0 : above;
-}
-
 void addQuad(std::vector<Node>& nodes, const std::vector<Point>& c, const Point& normal, int order) {
     for (const GaussNode& u : gaussLegendre(order)) {
         const Point low = glm::mix(c[0], c[1], u.position), high = glm::mix(c[3], c[2], u.position);
@@ -37,13 +30,6 @@ void addTriangle(std::vector<Node>& nodes, const Point& tip, const Point& b, con
                 {glm::mix(tip, glm::mix(b, c, v.position), u.position), u.weight * v.weight * u.position * twice});
 }
 
-double distanceToEdge(const Point& point, const Point& a, const Point& b) {
-    const Point edge = b - a;
-    const double length2 = glm::dot(edge, edge);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(point - a, edge) / length2, 0.0, 1.0) : 0.0;
-    return glm::length(a + t * edge - point);
-}
-
 }  // namespace
 
 Polygon::Polygon(std::vector<Point> outline) : corners(std::move(outline)) {
@@ -59,10 +45,22 @@ Polygon::Polygon(std::vector<Point> outline) : corners(std::move(outline)) {
     for (const Point& corner : corners) radius = std::max(radius, glm::length(corner - center));
 }
 
+double heightOver(const Point& point, const Point& on, const Point& normal) {
+    const Point from = point - on;
+    const double above = glm::dot(from, normal);
+    return std::abs(above) <= planeTolerance * glm::length(from) ? 0.0 : above;
+}
+
+Range heightsOver(const Polygon& polygon, const Point& on, const Point& normal) {
+    Range range;
+    for (const Point& corner : polygon.corners) range.add(glm::dot(corner - on, normal));
+    return range;
+}
+
 Polygon frontPart(const Polygon& polygon, const Point& on, const Point& normal) {
     const std::size_t count = polygon.corners.size();
     std::vector<double> heights;
-    for (const Point& corner : polygon.corners) heights.push_back(height(corner, on, normal));
+    for (const Point& corner : polygon.corners) heights.push_back(heightOver(corner, on, normal));
     if (std::all_of(heights.begin(), heights.end(), [](double h) { return h <= 0.0; })) return {};
     if (std::all_of(heights.begin(), heights.end(), [](double h) { return h >= 0.0; })) return polygon;
     std::vector<Point> front;
@@ -81,7 +79,7 @@ double distanceToOutline(const Point& point, const Polygon& polygon) {
     double nearest = std::numeric_limits<double>::infinity();
     const std::size_t count = polygon.corners.size();
     for (std::size_t i = 0; i < count; ++i)
-        nearest = std::min(nearest, distanceToEdge(point, polygon.corners[i], polygon.corners[(i + 1) % count]));
+        nearest = std::min(nearest, distanceToSegment(point, polygon.corners[i], polygon.corners[(i + 1) % count]));
     return nearest;
 }
 

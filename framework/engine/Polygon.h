@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -24,6 +26,23 @@ struct Polygon {
 
 /// What stands out of a plane by less than this share of its distance from a point of the plane lies in it.
 constexpr double planeTolerance = 1e-12;
+
+/// How far a point stands out of a plane; 0 where rounding alone may have moved it off.
+double heightOver(const Point& point, const Point& on, const Point& normal);
+
+/// The smallest and the largest of some numbers.
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+/// How far the corners of a polygon stand out of a plane, as computed.
+Range heightsOver(const Polygon& polygon, const Point& on, const Point& normal);
 
 /// The part of a polygon in front of a plane; a polygon without corners where nothing is.
 ///

@@ -27,8 +27,7 @@ struct Passing {
 
 bool startsInPlane(const Passing& passing, std::size_t polygon) {
     const Plane& plane = passing.planes[polygon];
-    const Point from = passing.from - plane.on;
-    return std::abs(glm::dot(from, plane.normal)) <= planeTolerance * glm::length(from);
+    return heightOver(passing.from, plane.on, plane.normal) == 0.0;
 }
 
 void passThrough(const RTCFilterFunctionNArguments* arguments) {

@@ -14,20 +14,6 @@ namespace {
 
 constexpr double relativeTolerance = 1e-6;
 
-struct Range {
-    double low, high;
-};
-
-// How far a polygon stands out before and behind a plane.
-Range heightsOver(const Point& on, const Point& normal, const Polygon& polygon) {
-    Range range{INFINITY, -INFINITY};
-    for (const Point& corner : polygon.corners) {
-        const double height = glm::dot(corner - on, normal);
-        range = {std::min(range.low, height), std::max(range.high, height)};
-    }
-    return range;
-}
-
 // A face in convex pieces: itself where it is convex.
 std::vector<Blocker> blockersOf(const Polygon& face, double tolerance) {
     std::vector<Blocker> pieces;
@@ -57,22 +43,20 @@ bool Blocker::stops(const Point& from, const Point& to) const {
 }
 
 Sight Blocker::between(const Polygon& a, const Polygon& b) const {
-    const Range ofA = heightsOver(center, normal, a), ofB = heightsOver(center, normal, b);
+    const Range ofA = heightsOver(a, center, normal), ofB = heightsOver(b, center, normal);
     const bool apart = (ofA.low > tolerance && ofB.high < -tolerance) || (ofB.low > tolerance && ofA.high < -tolerance);
     if (!apart) return Sight::partly;
     bool inside = true;
     for (const Side& side : sides) {
-        double least = INFINITY, most = -INFINITY;
+        Range depths;
         for (const Point& from : a.corners)
             for (const Point& to : b.corners) {
                 const double start = height(from);
                 const Point at = from + start / (start - height(to)) * (to - from);
-                const double depth = glm::dot(side.inwards, at) - side.offset;
-                least = std::min(least, depth);
-                most = std::max(most, depth);
+                depths.add(glm::dot(side.inwards, at) - side.offset);
             }
-        if (most <= tolerance) return Sight::clear;
-        inside = inside && least >= 0.0;
+        if (depths.high <= tolerance) return Sight::clear;
+        inside = inside && depths.low >= 0.0;
     }
     return inside ? Sight::hidden : Sight::partly;
 }
@@ -129,11 +113,11 @@ bool Shafts::mayHide(const Polygon& a, const Box& boxA, const Polygon& b, const 
     if (glm::any(glm::lessThan(box.high, low - tolerance)) || glm::any(glm::greaterThan(box.low, high + tolerance)))
         return false;
     const Polygon& blocker = geometry.faces[face];
-    if (heightsOver(a.center, a.normal, blocker).high <= tolerance ||
-        heightsOver(b.center, b.normal, blocker).high <= tolerance)
+    if (heightsOver(blocker, a.center, a.normal).high <= tolerance ||
+        heightsOver(blocker, b.center, b.normal).high <= tolerance)
         return false;
-    const Range ofA = heightsOver(blocker.center, blocker.normal, a),
-                ofB = heightsOver(blocker.center, blocker.normal, b);
+    const Range ofA = heightsOver(a, blocker.center, blocker.normal),
+                ofB = heightsOver(b, blocker.center, blocker.normal);
     return std::min(ofA.low, ofB.low) < -tolerance && std::max(ofA.high, ofB.high) > tolerance;
 }
 

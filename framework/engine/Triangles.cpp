@@ -23,8 +23,8 @@ void addFan(std::vector<Triangle>& triangles, const std::vector<Point>& corners)
 std::vector<Polygon> convexPiecesOf(const Polygon& polygon) {
     if (!(polygon.area > 0.0)) return {};
     const Point& origin = polygon.center;
-    const Point helper = std::abs(polygon.normal.x) < 0.5 ? Point(1, 0, 0) : Point(0, 1, 0);
-    const Point x = glm::normalize(glm::cross(helper, polygon.normal)), y = glm::cross(polygon.normal, x);
+    const Point x = glm::normalize(glm::cross(axisAcross(polygon.normal), polygon.normal)),
+                y = glm::cross(polygon.normal, x);
     Polygon2 flat;
     for (const Point& corner : polygon.corners)
         flat.emplace_back(glm::dot(corner - origin, x), glm::dot(corner - origin, y));

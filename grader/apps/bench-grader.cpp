@@ -6,9 +6,7 @@
 #include <map>
 #include <set>
 
-#include <CLI/CLI.hpp>
-
-#include "base/Program.h"
+#include "apps/CommandLine.h"
 #include "base/ProgressBar.h"
 #include "base/WholeFile.h"
 #include "grader/judge/Judge.h"
@@ -203,13 +201,7 @@ int main(int argc, char** argv) {
     flags.add_option("--seeds", settings.seeds, "Seeds to judge each one with")->check(CLI::PositiveNumber);
     flags.add_option("--seed", settings.firstSeed, "The first seed");
     flags.add_flag("--list", settings.list, "Tell every verdict, not only those that are not as they should be");
-    flags.set_version_flag("--version", "radlab " RADLAB_VERSION);
-    try {
-        flags.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return flags.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] {
+    return radlab::runCommandLine(flags, argc, argv, [&] {
         Proof proof(settings);
         proof.run();
         return proof.print() ? 0 : 1;

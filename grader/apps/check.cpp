@@ -3,10 +3,9 @@
 #include <cstdlib>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "base/Program.h"
+#include "apps/CommandLine.h"
 #include "base/WholeFile.h"
 #include "grader/apps/CheckFile.h"
 #include "grader/apps/CompileReport.h"
@@ -41,7 +40,6 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--junit", flags.junit, "Write the verdict to this file in the form of JUnit");
     app.add_option("--seed", flags.seed, "What the cases are drawn from")->capture_default_str();
     app.add_option("--jobs", flags.jobs, "Processes at once; 0 is one a core")->capture_default_str();
-    app.set_version_flag("--version", "radlab " RADLAB_VERSION);
     app.footer(
         "Exit codes: 0 all right, 1 marks lost, 2 wrong flags or a file that does not compile, 3 the grader failed.\n"
         "Examples: ./radlab check\n          ./radlab check 3 --hint\n          ./radlab check distributeEnergy --html "
@@ -94,10 +92,5 @@ int main(int argc, char** argv) {
     CLI::App app("Says which stages of the exercise are right, and what is wrong with the others.");
     Flags flags;
     describe(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] { return check(flags); });
+    return radlab::runCommandLine(app, argc, argv, [&] { return check(flags); });
 }

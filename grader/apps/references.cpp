@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/CommandLine.h"
 #include "base/ImageFile.h"
-#include "base/Program.h"
 #include "grader/judge/Worker.h"
 #include "grader/stages/Pictures.h"
 
@@ -58,13 +56,7 @@ int main(int argc, char** argv) {
     CLI::App flags("Makes the reference images of the grader from the solutions.");
     std::string folder = referenceFolder();
     flags.add_option("--out", folder, "The folder to write to")->capture_default_str();
-    flags.set_version_flag("--version", "radlab " RADLAB_VERSION);
-    try {
-        flags.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return flags.exit(error) == 0 ? 0 : 2;
-    }
-    return radlab::runProgram([&] {
+    return radlab::runCommandLine(flags, argc, argv, [&] {
         const Maker maker;
         for (const ManifestStage& stage : maker.lines().stages)
             for (const ManifestCheck& check : stage.checks)

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "course/FacePolygon.h"
 #include "grader/stages/ManyPatches.h"
 
 namespace radlab::grader {
@@ -16,8 +17,7 @@ class Hemisphere {
 public:
     explicit Hemisphere(const Vec3f& around)
         : normal(around),
-          right(
-              glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)))),
+          right(glm::normalize(glm::cross(normal, axisAcross(normal)))),
           up(glm::cross(normal, right)) {}
 
     glm::dvec3 direction(double angle, double azimuth) const {
@@ -97,22 +97,6 @@ Scene turnedAround(Random& random, Scene scene) {
     return scene;
 }
 
-// An axis-parallel box, its fronts outside.
-void addBox(State& state, const Vec3f& low, const Vec3f& high) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (const bool upper : {false, true}) {
-            const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-            std::vector<Vec3f> corners(4, low);
-            for (std::size_t i = 0; i < 4; ++i) {
-                corners[i][axis] = upper ? high[axis] : low[axis];
-                corners[i][a] = i == 1 || i == 2 ? high[a] : low[a];
-                corners[i][b] = i >= 2 ? high[b] : low[b];
-            }
-            if (!upper) std::swap(corners[1], corners[3]);
-            addPatch(state, corners);
-        }
-}
-
 }  // namespace
 
 Scene apart(Random& random, int others, int& otherShooter) {
@@ -137,7 +121,9 @@ Scene furnishedRoom(Random& random) {
     for (const MyVertex& corner : scene.state.corners) size = glm::max(size, corner.position);
     for (const float left : {0.15f, 0.55f}) {
         const Vec3f low = random.vector(0.2, 0.4), high = random.vector(0.5, 0.8);
-        addBox(scene.state, size * Vec3f(left, low.y, low.z), size * Vec3f(left + 0.3f, high.y, high.z));
+        for (const std::vector<Vec3f>& side :
+             sidesOfBox(size * Vec3f(left, low.y, low.z), size * Vec3f(left + 0.3f, high.y, high.z), false))
+            addPatch(scene.state, side);
     }
     shuffle(random, scene.state);
     randomLight(random, scene.state);

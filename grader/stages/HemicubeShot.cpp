@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "course/DeltaFormFactors.h"
+#include "course/FacePolygon.h"
 #include "grader/stages/Remembered.h"
 
 namespace radlab::grader {
@@ -64,7 +65,7 @@ bool usable(const Vec3f& up, const Vec3f& direction) {
 
 Vec3f perpendicular(const Vec3f& direction) {
     const glm::dvec3 d(direction);
-    return Vec3f(glm::normalize(glm::cross(d, std::abs(d.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))));
+    return Vec3f(glm::normalize(glm::cross(d, axisAcross(d))));
 }
 
 Camera rightCamera(const Situation& at, const MyPolygon& shooter) {

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "course/FacePolygon.h"
 #include "course/Mesher.h"
 
 namespace radlab::grader {
@@ -30,34 +31,29 @@ struct Axes {
 
 Axes axesIn(const Vec3f& normal, float turn) {
     const glm::dvec3 n(normal);
-    const glm::dvec3 aside = std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(aside, n)), up = glm::cross(n, right);
+    const glm::dvec3 right = glm::normalize(glm::cross(axisAcross(n), n)), up = glm::cross(n, right);
     const double c = std::cos(static_cast<double>(turn)), s = std::sin(static_cast<double>(turn));
     return {c * right + s * up, c * up - s * right};
 }
 
-glm::dvec3 areaVector(const std::vector<Vec3f>& corners) {
-    glm::dvec3 sum(0.0);
-    const glm::dvec3 origin(corners[0]);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        sum += 0.5 * glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[i + 1]) - origin);
-    return sum;
-}
-
-glm::dvec3 centroid(const std::vector<Vec3f>& corners) {
-    const glm::dvec3 origin(corners[0]), normal = glm::normalize(areaVector(corners));
-    glm::dvec3 sum(0.0);
-    double area = 0.0;
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        const glm::dvec3 a = glm::dvec3(corners[i]) - origin, b = glm::dvec3(corners[i + 1]) - origin;
-        const double part = glm::dot(normal, glm::cross(a, b));
-        sum += part * (a + b) / 3.0;
-        area += part;
-    }
-    return origin + sum / area;
-}
-
 }  // namespace
+
+std::vector<std::vector<Vec3f>> sidesOfBox(const Vec3f& low, const Vec3f& high, bool inside) {
+    std::vector<std::vector<Vec3f>> sides;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool upper : {false, true}) {
+            const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+            std::vector<Vec3f> corners(4, low);
+            for (std::size_t i = 0; i < 4; ++i) {
+                corners[i][axis] = upper ? high[axis] : low[axis];
+                corners[i][a] = i == 1 || i == 2 ? high[a] : low[a];
+                corners[i][b] = i >= 2 ? high[b] : low[b];
+            }
+            if (upper == inside) std::swap(corners[1], corners[3]);
+            sides.push_back(corners);
+        }
+    return sides;
+}
 
 int addPatch(State& state, const std::vector<Vec3f>& corners) {
     MyPolygon patch;
@@ -67,10 +63,11 @@ int addPatch(State& state, const std::vector<Vec3f>& corners) {
         state.corners.emplace_back();
         state.corners.back().position = corners[i];
     }
-    const glm::dvec3 area = areaVector(corners);
+    const Corners places(corners.begin(), corners.end());
+    const glm::dvec3 area = areaVector(places), normal = glm::normalize(area);
     patch.area = static_cast<float>(glm::length(area));
-    patch.normal = Vec3f(glm::normalize(area));
-    patch.center = Vec3f(centroid(corners));
+    patch.normal = Vec3f(normal);
+    patch.center = Vec3f(areaCentroid(places, normal));
     state.patches.push_back(patch);
     return static_cast<int>(state.patches.size()) - 1;
 }
@@ -138,20 +135,8 @@ struct Builder {
         faces.push_back(face);
     }
 
-    // An axis-parallel box; its fronts inside or outside.
     void addBox(const Vec3f& low, const Vec3f& high, bool inside) {
-        for (int axis = 0; axis < 3; ++axis)
-            for (const bool upper : {false, true}) {
-                const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-                std::vector<Vec3f> corners(4, low);
-                for (std::size_t i = 0; i < 4; ++i) {
-                    corners[i][axis] = upper ? high[axis] : low[axis];
-                    corners[i][a] = i == 1 || i == 2 ? high[a] : low[a];
-                    corners[i][b] = i >= 2 ? high[b] : low[b];
-                }
-                if (upper == inside) std::swap(corners[1], corners[3]);
-                add(corners);
-            }
+        for (const std::vector<Vec3f>& side : sidesOfBox(low, high, inside)) add(side);
     }
 };
 

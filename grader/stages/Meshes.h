@@ -36,6 +36,9 @@ int addPatch(State& state, const std::vector<Vec3f>& corners);
 std::vector<Vec3f> rectangle(const Vec3f& center, const Vec3f& normal, float width, float height, float turn = 0.0f);
 std::vector<Vec3f> triangle(const Vec3f& center, const Vec3f& normal, float width, float height, float turn = 0.0f);
 
+/// The six sides of the axis-parallel box from low to high, their fronts inside or outside.
+std::vector<std::vector<Vec3f>> sidesOfBox(const Vec3f& low, const Vec3f& high, bool inside);
+
 /// Sets what light does on a patch to random values: reflectance and radiosities that differ by channel, rad >= unshot_rad, a
 /// form factor, and a stale colour.
 void randomLight(Random& random, State& state);

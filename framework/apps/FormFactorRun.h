@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "apps/SceneInput.h"
+#include "engine/FormFactors.h"
+
+namespace radlab {
+
+/// How a program was told to find form factors.
+struct FormFactorFlags {
+    std::string method = "auto";
+    std::size_t rays = 0;
+};
+
+/// Adds --method and --rays to a program's flags.
+void addFormFactorFlags(CLI::App& app, FormFactorFlags& flags);
+
+/// Errors: no such method.
+engine::FormFactorOptions optionsOf(const FormFactorFlags& flags);
+
+/// The form factors of a scene's patches, with a progress bar; its occlusion decides what `auto` is.
+engine::FormFactorMatrix runFormFactors(const SceneInput& input, engine::FormFactorOptions options,
+                                        engine::FormFactorReport& report);
+
+}  // namespace radlab
