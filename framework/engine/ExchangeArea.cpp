@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <tbb/parallel_for.h>
+
 #include "base/Error.h"
 #include "engine/EdgeIntegral.h"
 #include "engine/GaussLegendre.h"
@@ -28,25 +30,38 @@ double orderFor(double distance, double tolerance) {
     return std::ceil(0.5 * std::log(8.0 * distance / tolerance) / std::log(ellipse));
 }
 
-NodeSet nodeSet(const Polygon& polygon, int order) {
-    const std::vector<Node> nodes = gaussNodes(polygon, order);
-    NodeSet set;
-    set.count = nodes.size();
-    const std::size_t padded = (nodes.size() + lanes - 1) / lanes * lanes;
+std::size_t paddedTo(std::size_t multiple, std::size_t count) { return (count + multiple - 1) / multiple * multiple; }
+
+std::size_t countOf(const Polygon& polygon, int order) {
+    const std::size_t pieces = polygon.corners.size() == 4 ? 1 : polygon.corners.size() - 2;
+    return polygon.area > 0.0 ? static_cast<std::size_t>(order * order) * pieces : 0;
+}
+
+NodeTable::Nodes nodesAt(const double* x, std::size_t count) {
+    const std::size_t padded = paddedTo(lanes, count);
+    return {x, x + padded, x + 2 * padded, x + 3 * padded, count, padded};
+}
+
+void fill(const std::vector<Node>& nodes, double* numbers) {
+    const std::size_t padded = paddedTo(lanes, nodes.size());
     for (std::size_t k = 0; k < padded; ++k) {
         const Node& node = nodes[std::min(k, nodes.size() - 1)];
-        set.x.push_back(node.position.x);
-        set.y.push_back(node.position.y);
-        set.z.push_back(node.position.z);
-        set.weight.push_back(k < nodes.size() ? node.weight : 0.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) numbers[axis * padded + k] = node.position[static_cast<int>(axis)];
+        numbers[3 * padded + k] = k < nodes.size() ? node.weight : 0.0;
     }
-    return set;
+}
+
+NodeTable::Nodes nodesOf(const Polygon& polygon, int order, std::vector<double>& numbers) {
+    const std::vector<Node> nodes = gaussNodes(polygon, order);
+    numbers.resize(4 * paddedTo(lanes, nodes.size()));
+    fill(nodes, numbers.data());
+    return nodesAt(numbers.data(), nodes.size());
 }
 
 // What one node sees of all nodes of a polygon; the sums run side by side, so that they can share instructions.
-double rowSum(const Point& from, const Point& normal, const NodeSet& to, const Point& toNormal) {
+double rowSum(const Point& from, const Point& normal, const NodeTable::Nodes& to, const Point& toNormal) {
     double sums[lanes] = {};
-    for (std::size_t k = 0; k < to.weight.size(); k += lanes)
+    for (std::size_t k = 0; k < to.padded; k += lanes)
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const double x = to.x[k + lane] - from.x, y = to.y[k + lane] - from.y, z = to.z[k + lane] - from.z;
             const double distance2 = x * x + y * y + z * z;
@@ -65,7 +80,8 @@ double rowSum(const Point& from, const Point& normal, const NodeSet& to, const P
 #define RADLAB_WIDE
 #endif
 
-RADLAB_WIDE double byNodes(const NodeSet& a, const Point& normalA, const NodeSet& b, const Point& normalB) {
+RADLAB_WIDE double byNodes(const NodeTable::Nodes& a, const Point& normalA, const NodeTable::Nodes& b,
+                           const Point& normalB) {
     double sum = 0.0;
     for (std::size_t k = 0; k < a.count; ++k)
         sum += a.weight[k] * rowSum(Point(a.x[k], a.y[k], a.z[k]), normalA, b, normalB);
@@ -139,7 +155,9 @@ double near(const Polygon& a, const Polygon& b, double tolerance) {
 }
 
 double far(const Polygon& a, const Polygon& b, const Orders& orders) {
-    return byNodes(nodeSet(a, static_cast<int>(orders.a)), a.normal, nodeSet(b, static_cast<int>(orders.b)), b.normal);
+    thread_local std::vector<double> ofA, ofB;
+    return byNodes(nodesOf(a, static_cast<int>(orders.a), ofA), a.normal, nodesOf(b, static_cast<int>(orders.b), ofB),
+                   b.normal);
 }
 
 double between(const Polygon& a, const Polygon& b, double tolerance) {
@@ -166,11 +184,24 @@ double exchangeArea(const Polygon& a, const Polygon& b, double tolerance) {
     return std::max(between(inFrontA, inFrontB, tolerance), 0.0);
 }
 
+NodeTable::NodeTable(const std::vector<Polygon>& polygons, int order) : first(polygons.size() + 1) {
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        counts.push_back(countOf(polygons[i], order));
+        first[i + 1] = first[i] + 4 * paddedTo(lanes, counts[i]);
+    }
+    numbers.resize(first.back());
+    tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t i) {
+        if (counts[i] > 0) fill(gaussNodes(polygons[i], order), numbers.data() + first[i]);
+    });
+}
+
+NodeTable::Nodes NodeTable::of(std::size_t polygon) const {
+    return nodesAt(numbers.data() + first[polygon], counts[polygon]);
+}
+
 ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double error) : polygons(list), tolerance(error) {
     RADLAB_CHECK(tolerance >= finestTolerance);
-    for (int order = 1; order <= keptOrders; ++order)
-        for (const Polygon& polygon : polygons)
-            nodes[order - 1].push_back(polygon.area > 0.0 ? nodeSet(polygon, order) : NodeSet{});
+    for (int order = 1; order <= keptOrders; ++order) nodes[order - 1] = NodeTable(polygons, order);
 }
 
 double ExchangeAreas::operator()(std::size_t i, std::size_t j) const {
@@ -184,7 +215,7 @@ double ExchangeAreas::operator()(std::size_t i, std::size_t j) const {
     if (!orders.far()) return std::max(near(a, b, tolerance), 0.0);
     const auto orderA = static_cast<std::size_t>(orders.a), orderB = static_cast<std::size_t>(orders.b);
     if (std::max(orderA, orderB) > keptOrders) return std::max(far(a, b, orders), 0.0);
-    return std::max(byNodes(nodes[orderA - 1][i], a.normal, nodes[orderB - 1][j], b.normal), 0.0);
+    return std::max(byNodes(nodes[orderA - 1].of(i), a.normal, nodes[orderB - 1].of(j), b.normal), 0.0);
 }
 
 }  // namespace radlab::engine

@@ -21,10 +21,24 @@ constexpr double finestTolerance = 1e-12;
 /// @source [HottelSarofim1967] direct exchange areas; [SchroderHanrahan1993] the integral along the outlines
 double exchangeArea(const Polygon& a, const Polygon& b, double tolerance = finestTolerance);
 
-/// Nodes over a polygon, ready for loops of four at a time: the last ones may weigh nothing.
-struct NodeSet {
-    std::vector<double> x, y, z, weight;
-    std::size_t count = 0;  ///< that weigh something
+/// Nodes over polygons, side by side for loops of four at a time: the last ones of a polygon may weigh nothing.
+class NodeTable {
+public:
+    /// Where the coordinates and the weights of one polygon's nodes begin.
+    struct Nodes {
+        const double *x, *y, *z, *weight;
+        std::size_t count;   ///< that weigh something
+        std::size_t padded;  ///< with those that weigh nothing
+    };
+
+    NodeTable() = default;
+    NodeTable(const std::vector<Polygon>& polygons, int order);
+
+    Nodes of(std::size_t polygon) const;
+
+private:
+    std::vector<std::size_t> first, counts;
+    std::vector<double> numbers;
 };
 
 /// The exchange areas between the polygons of a list: what is needed of each polygon again and again is kept.
@@ -44,7 +58,7 @@ private:
 
     const std::vector<Polygon>& polygons;
     double tolerance;
-    std::vector<NodeSet> nodes[keptOrders];  // for each order the nodes of each polygon
+    NodeTable nodes[keptOrders];
 };
 
 }  // namespace radlab::engine

@@ -70,9 +70,10 @@ void fillHemispheres(FormFactorMatrix& matrix, const Geometry& geometry, const R
         if (!(patch.area > 0.0)) return;
         const AreaSampler sampler(patch);
         const Point x = glm::normalize(patch.corners[1] - patch.corners[0]), y = glm::cross(patch.normal, x);
+        const LowDiscrepancy points(i);
         std::vector<std::size_t> hits(matrix.size());
         for (std::size_t k = 0; k < rays; ++k) {
-            const auto at = lowDiscrepancyPoint(i, k);
+            const auto at = points.at(k);
             const double radius = std::sqrt(at[2]), angle = 2.0 * std::numbers::pi * at[3];
             const Point direction =
                 radius * std::cos(angle) * x + radius * std::sin(angle) * y + std::sqrt(1.0 - at[2]) * patch.normal;

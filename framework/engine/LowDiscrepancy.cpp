@@ -1,7 +1,5 @@
 #include "engine/LowDiscrepancy.h"
 
-#include <cmath>
-
 namespace radlab::engine {
 
 namespace {
@@ -18,17 +16,15 @@ std::uint64_t mixed(std::uint64_t bits) {
 
 }  // namespace
 
-std::array<double, 4> lowDiscrepancyPoint(std::uint64_t key, std::uint64_t k) {
-    std::array<double, 4> point;
-    double step = 1.0;
-    std::uint64_t shift = mixed(key);
-    for (double& coordinate : point) {
-        step /= root;
-        shift = mixed(shift);
-        const double x = static_cast<double>(shift >> 11) * 0x1p-53 + step * static_cast<double>(k + 1);
-        coordinate = x - std::floor(x);
+const std::array<double, 4> LowDiscrepancy::steps = {1.0 / root, 1.0 / root / root, 1.0 / root / root / root,
+                                                     1.0 / root / root / root / root};
+
+LowDiscrepancy::LowDiscrepancy(std::uint64_t key) {
+    std::uint64_t bits = mixed(key);
+    for (double& shift : shifts) {
+        bits = mixed(bits);
+        shift = static_cast<double>(bits >> 11) * 0x1p-53;
     }
-    return point;
 }
 
 }  // namespace radlab::engine

@@ -85,6 +85,7 @@ double distanceToOutline(const Point& point, const Polygon& polygon) {
 
 std::vector<Node> gaussNodes(const Polygon& polygon, int order) {
     std::vector<Node> nodes;
+    nodes.reserve(static_cast<std::size_t>(order * order) * (polygon.corners.size() == 4 ? 1 : polygon.corners.size()));
     const std::vector<Point>& c = polygon.corners;
     if (c.size() == 4) {
         addQuad(nodes, c, polygon.normal, order);

@@ -26,14 +26,20 @@ Values channelOf(const std::vector<Point>& colors, int channel) {
     return values;
 }
 
-[[noreturn]] void refuse(const FormFactorMatrix& matrix, const Values& reflectance, const std::string& why) {
+Values exchanged(const Transport& transport, const Values& x) {
+    Values result(x.size());
+    transport.exchange(x, result);
+    return result;
+}
+
+[[noreturn]] void refuse(const Transport& transport, const Values& reflectance, const std::string& why) {
+    const Values sums = exchanged(transport, Values(reflectance.size(), 1.0));
     double most = -1.0;
     std::size_t patch = 0;
-    for (std::size_t i = 0; i < matrix.size(); ++i) {
-        double sum = 0.0;
-        for (std::size_t j = 0; j < matrix.size(); ++j) sum += matrix.at(i, j);
-        if (reflectance[i] * sum <= most) continue;
-        most = reflectance[i] * sum;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const double comesBack = transport.areas[i] > 0.0 ? reflectance[i] * sums[i] / transport.areas[i] : 0.0;
+        if (comesBack <= most) continue;
+        most = comesBack;
         patch = i;
     }
     char text[200];
@@ -47,25 +53,15 @@ Values channelOf(const std::vector<Point>& colors, int channel) {
 // The symmetric system of one channel.
 class System {
 public:
-    System(const FormFactorMatrix& factors, const Values& reflectance) : matrix(factors), scale(factors.size()) {
+    System(const Transport& light, const Values& reflectance) : transport(light), scale(reflectance.size()) {
         for (std::size_t i = 0; i < scale.size(); ++i) {
-            const double area = matrix.areas()[i];
+            const double area = transport.areas[i];
             scale[i] = area > 0.0 ? std::sqrt(reflectance[i] / area) : 0.0;
         }
     }
 
     // √(ρ/A)·S·x
-    Values reflected(const Values& x) const {
-        Values result(matrix.size());
-        tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
-            if (scale[i] == 0.0) return;
-            const double* row = matrix.row(i);
-            double sum = 0.0;
-            for (std::size_t j = 0; j < matrix.size(); ++j) sum += row[j] * x[j];
-            result[i] = scale[i] * matrix.areas()[i] * sum;
-        });
-        return result;
-    }
+    Values reflected(const Values& x) const { return scaled(exchanged(transport, x)); }
 
     Values scaled(Values y) const {
         for (std::size_t i = 0; i < y.size(); ++i) y[i] *= scale[i];
@@ -80,26 +76,25 @@ public:
     }
 
 private:
-    const FormFactorMatrix& matrix;
+    const Transport& transport;
     Values scale;
 };
 
-// xᵀ·A·F·y and yᵀ·A·F·x are the same for a reciprocal matrix; for another one they are not, unless by a rare chance.
-void requireReciprocal(const FormFactorMatrix& matrix) {
+// xᵀ·S·y and yᵀ·S·x are the same for a reciprocal exchange; for another one they are not, unless by a rare chance.
+void requireReciprocal(const Transport& transport) {
     constexpr double within = 1e-9;
-    double there = 0.0, back = 0.0;
-    for (std::size_t i = 0; i < matrix.size(); ++i) {
-        const double area = matrix.areas()[i], *row = matrix.row(i);
-        double towards = 0.0, away = 0.0;
-        for (std::size_t j = 0; j < matrix.size(); ++j) {
-            towards += row[j] * (1.0 + std::sin(double(j)));
-            away += row[j] * (1.0 + std::cos(double(j * j)));
-        }
-        there += area * (1.0 + std::cos(double(i * i))) * towards;
-        back += area * (1.0 + std::sin(double(i))) * away;
+    Values x, y;
+    for (std::size_t i = 0; i < transport.areas.size(); ++i) {
+        x.push_back(1.0 + std::sin(double(i)));
+        y.push_back(1.0 + std::cos(double(i * i)));
     }
+    const double there = dot(y, exchanged(transport, x)), back = dot(x, exchanged(transport, y));
     if (std::abs(there - back) > within * std::abs(there))
         throw Error("these form factors are not reciprocal (Ai Fij and Aj Fji differ): make them so before solving");
+}
+
+bool isDark(const Values& values) {
+    return std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; });
 }
 
 struct Solved {
@@ -108,19 +103,20 @@ struct Solved {
     double residual;
 };
 
-Solved solveChannel(const FormFactorMatrix& matrix, const Values& emission, const Values& reflectance,
+Solved solveChannel(const Transport& transport, const Values& emission, const Values& reflectance,
                     const SolverOptions& options) {
-    const System system(matrix, reflectance);
-    Values y(matrix.size()), residual = system.reflected(emission), direction = residual;
+    if (isDark(reflectance)) return {emission, 0, 0.0};
+    const System system(transport, reflectance);
+    Values y(emission.size()), residual = system.reflected(emission), direction = residual;
     const double wanted = options.tolerance * std::sqrt(dot(residual, residual));
     double square = dot(residual, residual);
     std::size_t iterations = 0;
     for (; std::sqrt(square) > wanted; ++iterations) {
-        if (iterations == options.mostIterations) refuse(matrix, reflectance, "the light did not settle");
+        if (iterations == options.mostIterations) refuse(transport, reflectance, "the light did not settle");
         const Values applied = system.apply(direction);
         const double curvature = dot(direction, applied);
         if (!(curvature > 1e-14 * dot(direction, direction)))
-            refuse(matrix, reflectance, "the light in this scene never ends");
+            refuse(transport, reflectance, "the light in this scene never ends");
         const double step = square / curvature;
         for (std::size_t i = 0; i < y.size(); ++i) {
             y[i] += step * direction[i];
@@ -133,10 +129,6 @@ Solved solveChannel(const FormFactorMatrix& matrix, const Values& emission, cons
     Solved solved{system.scaled(y), iterations, wanted > 0.0 ? std::sqrt(square) / wanted * options.tolerance : 0.0};
     for (std::size_t i = 0; i < y.size(); ++i) solved.radiosity[i] += emission[i];
     return solved;
-}
-
-bool isDark(const Values& emission) {
-    return std::all_of(emission.begin(), emission.end(), [](double e) { return e == 0.0; });
 }
 
 // By how much one channel's light is another's, or 0 where they are not in one proportion.
@@ -160,12 +152,23 @@ Surfaces surfacesOf(const PatchMesh& mesh) {
     return surfaces;
 }
 
-std::vector<Point> solveRadiosity(const FormFactorMatrix& matrix, const Surfaces& surfaces,
-                                  const SolverOptions& options, SolverReport* report) {
-    RADLAB_CHECK(surfaces.emission.size() == matrix.size());
-    RADLAB_CHECK(surfaces.reflectance.size() == matrix.size());
-    requireReciprocal(matrix);
-    std::vector<Point> radiosity(matrix.size(), Point(0.0));
+Transport transportOf(const FormFactorMatrix& matrix) {
+    return {matrix.areas(), [&matrix](const Values& x, Values& result) {
+                tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+                    const double* row = matrix.row(i);
+                    double sum = 0.0;
+                    for (std::size_t j = 0; j < matrix.size(); ++j) sum += row[j] * x[j];
+                    result[i] = matrix.areas()[i] * sum;
+                });
+            }};
+}
+
+std::vector<Point> solveRadiosity(const Transport& transport, const Surfaces& surfaces, const SolverOptions& options,
+                                  SolverReport* report) {
+    RADLAB_CHECK(surfaces.emission.size() == transport.areas.size());
+    RADLAB_CHECK(surfaces.reflectance.size() == transport.areas.size());
+    requireReciprocal(transport);
+    std::vector<Point> radiosity(transport.areas.size(), Point(0.0));
     SolverReport made;
     std::vector<int> solvedChannels;
     for (int channel = 0; channel < 3; ++channel) {
@@ -181,7 +184,7 @@ std::vector<Point> solveRadiosity(const FormFactorMatrix& matrix, const Surfaces
             for (Point& b : radiosity) b[channel] = ratio * b[*like];
             continue;
         }
-        const Solved solved = solveChannel(matrix, emission, reflectance, options);
+        const Solved solved = solveChannel(transport, emission, reflectance, options);
         for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i][channel] = solved.radiosity[i];
         made = {made.channels + 1, std::max(made.iterations, solved.iterations),
                 std::max(made.residual, solved.residual)};
@@ -189,6 +192,11 @@ std::vector<Point> solveRadiosity(const FormFactorMatrix& matrix, const Surfaces
     }
     if (report) *report = made;
     return radiosity;
+}
+
+std::vector<Point> solveRadiosity(const FormFactorMatrix& matrix, const Surfaces& surfaces,
+                                  const SolverOptions& options, SolverReport* report) {
+    return solveRadiosity(transportOf(matrix), surfaces, options, report);
 }
 
 }  // namespace radlab::engine

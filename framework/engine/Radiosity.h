@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "course/PatchMesh.h"
@@ -16,6 +17,16 @@ struct Surfaces {
 
 /// The surfaces of a mesh's patches.
 Surfaces surfacesOf(const PatchMesh& mesh);
+
+/// The light that patches send each other, whatever way it is stored: the symmetric S with S_ij = A_i·F_ij.
+struct Transport {
+    std::vector<double> areas;
+    /// Sets result to S·x; both hold a value for each patch.
+    std::function<void(const std::vector<double>& x, std::vector<double>& result)> exchange;
+};
+
+/// That of a matrix, which lives as long as this does.
+Transport transportOf(const FormFactorMatrix& matrix);
 
 struct SolverOptions {
     double tolerance = 1e-10;  ///< of the residual, relative to the light that is reflected once
@@ -37,10 +48,12 @@ struct SolverReport {
 /// that one's multiple.
 ///
 /// @return W/m² per channel, >= 0 up to the tolerance, in the order of the patches
-/// @cost   each iteration is one pass over the matrix, 13 to 15 of them at ρ = 0.99; the same bits for any number of threads
-/// Errors: a matrix that is not reciprocal (makeReciprocal); reflectances so near 1 in a scene so closed, or rows that add up to so much above 1, that light never ends: told with
+/// @cost   each iteration is one exchange, 13 to 15 of them at ρ = 0.99; the same bits for any number of threads
+/// Errors: an exchange that is not reciprocal (makeReciprocal); reflectances so near 1 in a scene so closed, or rows that add up to so much above 1, that light never ends: told with
 ///         the patch; no convergence within mostIterations.
 /// @source [CohenWallace1993, chapter 5] the system
+std::vector<Point> solveRadiosity(const Transport& transport, const Surfaces& surfaces,
+                                  const SolverOptions& options = {}, SolverReport* report = nullptr);
 std::vector<Point> solveRadiosity(const FormFactorMatrix& matrix, const Surfaces& surfaces,
                                   const SolverOptions& options = {}, SolverReport* report = nullptr);
 

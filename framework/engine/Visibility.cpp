@@ -36,15 +36,20 @@ double Visibility::visibleShare(std::size_t first, std::size_t second) const {
     });
 }
 
+Sight Visibility::sight(std::size_t first, std::size_t second) const {
+    thread_local std::vector<const Blocker*> between;
+    return shafts ? shafts->sight(first, second, between) : Sight::partly;
+}
+
 template <class Stops>
 double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t deciding, const Stops& stops) const {
     const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 1.0;
-    const std::uint64_t key = first * geometry.patches.size() + second;
+    const LowDiscrepancy points(first * geometry.patches.size() + second);
     double all = 0.0, visible = 0.0;
     std::size_t cast = 0;
     for (std::size_t k = 0; k < 4 * mostRays && cast < mostRays; ++k) {
-        const auto at = lowDiscrepancyPoint(key, k);
+        const auto at = points.at(k);
         const Point from = samplers[first].at(at[0], at[1]), to = samplers[second].at(at[2], at[3]);
         const Point between = to - from;
         const double distance2 = glm::dot(between, between);

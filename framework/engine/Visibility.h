@@ -27,6 +27,9 @@ public:
     ///       with many faces 16 rays for every pair, and `most` where these disagree
     double visibleShare(std::size_t first, std::size_t second) const;
 
+    /// What is known of a pair without a ray.
+    Sight sight(std::size_t first, std::size_t second) const;
+
     /// How many rays were traced so far.
     std::size_t rays() const { return traced; }
 

@@ -50,8 +50,9 @@ TEST_CASE("what the shafts say of a pair is what rays find") {
             const Sight sight = shafts.sight(i, j, between);
             ++found[static_cast<int>(sight)];
             const AreaSampler one(room.patches[i]), other(room.patches[j]);
+            const LowDiscrepancy points(i * 1000 + j);
             for (std::uint64_t k = 0; k < 8; ++k) {
-                const auto at = lowDiscrepancyPoint(i * 1000 + j, k);
+                const auto at = points.at(k);
                 const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
                 // Behind a patch nobody looks.
                 if (glm::dot(to - from, room.patches[i].normal) <= 1e-3) continue;
@@ -95,9 +96,10 @@ TEST_CASE("triangles of a polygon of any shape add up to it, and samples lie in 
     for (const Triangle& t : trianglesOf(arrow)) area += Polygon({t[0], t[1], t[2]}).area;
     CHECK(area == Approx(arrow.area).epsilon(1e-12));
     const AreaSampler sampler(arrow);
+    const LowDiscrepancy points(1);
     Point mean(0.0);
     for (std::uint64_t k = 0; k < 4096; ++k) {
-        const auto at = lowDiscrepancyPoint(1, k);
+        const auto at = points.at(k);
         const Point point = sampler.at(at[0], at[1]);
         CHECK(point.y >= -0.5 - 0.5 * std::abs(point.x) - 1e-12);
         CHECK(point.y <= 1.0 - 2.0 * std::abs(point.x) + 1e-12);

@@ -1,0 +1,87 @@
+#include "engine/HierarchicalRadiosity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "base/Stopwatch.h"
+#include "engine/Links.h"
+
+namespace radlab::engine {
+
+namespace {
+
+constexpr std::size_t mostRounds = 8;
+constexpr double roughly = 1e-2;  // as far as the light is solved that only tells what to refine
+
+// Each channel's radiosity of every node, and how much of it a node that receives it would reflect.
+class Light {
+public:
+    Light(const PatchTree& clusters, const Surfaces& surfaces) : tree(clusters) {
+        Point all(0.0);
+        for (std::size_t i = 0; i < tree.leaves(); ++i) all += tree.area(i) * surfaces.emission[i];
+        for (int c = 0; c < 3; ++c) {
+            emitted[c] = all[c];
+            reflectance[c] = spread(surfaces.reflectance, c);
+        }
+        set(surfaces.emission);
+    }
+
+    void set(const std::vector<Point>& ofPatches) {
+        for (int c = 0; c < 3; ++c) radiosity[c] = spread(ofPatches, c);
+    }
+
+    // The largest share of a channel's emitted light that a link carries and that is reflected there, in either direction.
+    double share(const Link& link) const {
+        double most = 0.0;
+        for (int c = 0; c < 3; ++c)
+            if (emitted[c] > 0.0)
+                most = std::max({most, radiosity[c][link.a] * reflectance[c][link.b] / emitted[c],
+                                 radiosity[c][link.b] * reflectance[c][link.a] / emitted[c]});
+        return most * link.exchange;
+    }
+
+private:
+    std::vector<double> spread(const std::vector<Point>& ofPatches, int channel) const {
+        std::vector<double> values;
+        for (const Point& color : ofPatches) values.push_back(color[channel]);
+        tree.pull(values);
+        return values;
+    }
+
+    const PatchTree& tree;
+    std::array<double, 3> emitted;
+    std::array<std::vector<double>, 3> radiosity, reflectance;
+};
+
+}  // namespace
+
+std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& surfaces,
+                                     const HierarchicalOptions& options, HierarchicalReport* report) {
+    const Stopwatch watch;
+    const PatchTree tree(geometry);
+    Links links(tree, {options.occlusion, options.rays, options.tolerance});
+    Light light(tree, surfaces);
+    std::vector<Point> radiosity = surfaces.emission;
+    std::size_t rounds = 0;
+    SolverOptions solver;
+    solver.tolerance = roughly;
+    const auto carriesMuch = [&](const Link& link) { return light.share(link) > options.threshold; };
+    while (links.refine(carriesMuch) && rounds < mostRounds) {
+        ++rounds;
+        if (options.progress) options.progress(links.list().size());
+        radiosity = solveRadiosity(links.transport(), surfaces, solver);
+        light.set(radiosity);
+    }
+    SolverReport solved;
+    radiosity = solveRadiosity(links.transport(), surfaces, {}, &solved);
+    const std::vector<Point> arrived = links.gathered(radiosity);
+    for (std::size_t i = 0; i < radiosity.size(); ++i)
+        radiosity[i] = surfaces.emission[i] + surfaces.reflectance[i] * arrived[i];
+    if (report) *report = {links.list().size(), links.rays(), rounds + 1, solved.channels, watch.seconds()};
+    return radiosity;
+}
+
+}  // namespace radlab::engine

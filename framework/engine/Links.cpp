@@ -1,0 +1,137 @@
+#include "engine/Links.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+namespace radlab::engine {
+
+namespace {
+
+// The links of every node, those of one node together.
+struct Sorted {
+    struct End {
+        std::uint32_t other;
+        double exchange, share;
+    };
+    std::vector<std::size_t> first;  // of each node, and the end
+    std::vector<End> ends;
+
+    Sorted(const std::vector<Link>& links, std::size_t nodes) : first(nodes + 1), ends(2 * links.size()) {
+        for (const Link& link : links) ++first[link.a + 1], ++first[link.b + 1];
+        for (std::size_t i = 0; i < nodes; ++i) first[i + 1] += first[i];
+        std::vector<std::size_t> next(first.begin(), first.end() - 1);
+        for (const Link& link : links) {
+            ends[next[link.a]++] = {link.b, link.exchange, link.share};
+            ends[next[link.b]++] = {link.a, link.exchange, link.share};
+        }
+    }
+};
+
+}  // namespace
+
+Links::Links(const PatchTree& patches, const Options& options)
+    : tree(patches), exchanges(tree.shapes().patches, options.tolerance) {
+    if (options.occlusion) visibility = std::make_unique<Visibility>(tree.shapes(), options.rays);
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < tree.roots().size(); ++i)
+        for (std::size_t j = i + 1; j < tree.roots().size(); ++j)
+            pairs.push_back({tree.roots()[i], tree.roots()[j], Sight::partly});
+    for (const Link& link : measured(pairs))
+        if (link.exchange > 0.0) links.push_back(link);
+    settle(links);
+}
+
+// A hull may be larger than the patches in it.
+double Links::unhidden(std::uint32_t a, std::uint32_t b) const {
+    const std::vector<Polygon>& shapes = tree.shapes().patches;
+    return exchanges(a, b) * (tree.area(a) / shapes[a].area) * (tree.area(b) / shapes[b].area);
+}
+
+Link Links::measured(const Pair& pair) const {
+    Link link{pair.a, pair.b, Sight::clear, unhidden(pair.a, pair.b), 1.0};
+    if (link.exchange > 0.0 && visibility && pair.sight != Sight::clear) link.sight = visibility->sight(pair.a, pair.b);
+    if (link.sight == Sight::hidden) link.exchange = 0.0;
+    return link;
+}
+
+std::vector<Link> Links::measured(const std::vector<Pair>& pairs) const {
+    std::vector<Link> made(pairs.size());
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) { made[i] = measured(pairs[i]); });
+    return made;
+}
+
+// Finds the visible share of links that stay.
+void Links::settle(std::vector<Link>& fresh) const {
+    tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
+        if (fresh[i].sight == Sight::partly) fresh[i].share = visibility->visibleShare(fresh[i].a, fresh[i].b);
+    });
+}
+
+std::array<Links::Pair, 2> Links::halves(const Link& link) const {
+    const std::vector<Polygon>& shapes = tree.shapes().patches;
+    const bool splitA = !tree.isLeaf(link.a) && (tree.isLeaf(link.b) || shapes[link.a].radius >= shapes[link.b].radius);
+    const PatchTree::Node& node = tree.node(splitA ? link.a : link.b);
+    if (splitA) return {Pair{node.first, link.b, link.sight}, Pair{node.second, link.b, link.sight}};
+    return {Pair{link.a, node.first, link.sight}, Pair{link.a, node.second, link.sight}};
+}
+
+bool Links::refine(const std::function<bool(const Link&)>& wantedFiner) {
+    const auto isSplit = [&](const Link& link) { return !isFinal(link) && wantedFiner(link); };
+    std::vector<Link> kept, fresh, current = std::move(links);
+    bool first = true, any = false;
+    while (!current.empty()) {
+        std::vector<Pair> pairs;
+        for (const Link& link : current)
+            if (isSplit(link))
+                for (const Pair& half : halves(link)) pairs.push_back(half);
+            else if (link.exchange > 0.0)
+                (first ? kept : fresh).push_back(link);
+        any = any || !pairs.empty();
+        current = measured(pairs);
+        first = false;
+    }
+    settle(fresh);
+    links = std::move(kept);
+    links.insert(links.end(), fresh.begin(), fresh.end());
+    return any;
+}
+
+Transport Links::transport() const {
+    const auto sorted = std::make_shared<Sorted>(links, tree.size());
+    std::vector<double> areas;
+    for (std::size_t i = 0; i < tree.leaves(); ++i) areas.push_back(tree.area(i));
+    return {areas, [this, sorted](const std::vector<double>& x, std::vector<double>& result) {
+                std::vector<double> sent = x, arrived(tree.size());
+                tree.pull(sent);
+                tbb::parallel_for(std::size_t{0}, tree.size(), [&](std::size_t i) {
+                    double sum = 0.0;
+                    for (std::size_t k = sorted->first[i]; k < sorted->first[i + 1]; ++k)
+                        sum += sorted->ends[k].exchange * sorted->ends[k].share * sent[sorted->ends[k].other];
+                    if (sum != 0.0) arrived[i] = sum / tree.area(i);
+                });
+                tree.push(arrived);
+                for (std::size_t i = 0; i < result.size(); ++i) result[i] = tree.area(i) * arrived[i];
+            }};
+}
+
+std::vector<Point> Links::gathered(std::vector<Point> radiosity) const {
+    const Sorted sorted(links, tree.size());
+    tree.pull(radiosity);
+    std::vector<Point> arrived(tree.leaves(), Point(0.0));
+    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(tree.leaves()), [&](std::uint32_t patch) {
+        if (!(tree.area(patch) > 0.0)) return;
+        for (std::uint32_t up = patch; up != PatchTree::none; up = tree.node(up).parent)
+            for (std::size_t k = sorted.first[up]; k < sorted.first[up + 1]; ++k) {
+                const Sorted::End& end = sorted.ends[k];
+                const bool own = up == patch;
+                double exchange = own ? end.exchange : unhidden(patch, end.other);
+                if (exchange > 0.0 && end.share < 1.0)
+                    exchange *= own ? end.share : visibility->visibleShare(patch, end.other);
+                arrived[patch] += exchange / tree.area(patch) * radiosity[end.other];
+            }
+    });
+    return arrived;
+}
+
+}  // namespace radlab::engine
