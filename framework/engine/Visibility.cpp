@@ -12,8 +12,8 @@ constexpr std::size_t firstRays = 16;
 
 }  // namespace
 
-Visibility::Visibility(const Geometry& shapes, std::size_t most)
-    : geometry(shapes), mostRays(std::max(most, firstRays)) {
+Visibility::Visibility(const Geometry& shapes, std::size_t most, std::uint64_t seed)
+    : geometry(shapes), mostRays(std::max(most, firstRays)), firstKey(seed << 48) {
     if (geometry.faces.size() <= Shafts::mostFaces)
         shafts = std::make_unique<Shafts>(geometry);
     else
@@ -45,7 +45,7 @@ template <class Stops>
 double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t deciding, const Stops& stops) const {
     const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 1.0;
-    const LowDiscrepancy points(first * geometry.patches.size() + second);
+    const LowDiscrepancy points(firstKey + first * geometry.patches.size() + second);
     double all = 0.0, visible = 0.0;
     std::size_t cast = 0;
     for (std::size_t k = 0; k < 4 * mostRays && cast < mostRays; ++k) {

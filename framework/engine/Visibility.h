@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace radlab::engine {
 class Visibility {
 public:
     /// @param most rays for a pair that is partly hidden, at least 16
-    Visibility(const Geometry& geometry, std::size_t most);
+    /// @param seed chooses other rays
+    Visibility(const Geometry& geometry, std::size_t most, std::uint64_t seed = 0);
 
     /// The share of the unoccluded exchange between two patches that gets through, 0 to 1.
     ///
@@ -39,6 +41,7 @@ private:
 
     const Geometry& geometry;
     std::size_t mostRays;
+    std::uint64_t firstKey;
     std::unique_ptr<Shafts> shafts;   // where there are few faces,
     std::unique_ptr<RayScene> scene;  // and where there are many
     std::vector<AreaSampler> samplers;
