@@ -6,12 +6,14 @@
 
 #include "apps/CommandLine.h"
 #include "engine/HardCases.h"
+#include "engine/HardRooms.h"
 
 namespace {
 
 using namespace radlab::engine;
 
 constexpr Method methods[] = {Method::point, Method::polygon, Method::exact, Method::hemisphere, Method::visibility};
+constexpr Solver solvers[] = {Solver::matrix, Solver::shooting, Solver::links};
 
 // The relative error, absolute where the truth is 0; in brackets where the method is not made for the case.
 std::string cell(const HardCase& hard, Method method, std::size_t rays, bool& held) {
@@ -24,10 +26,12 @@ std::string cell(const HardCase& hard, Method method, std::size_t rays, bool& he
     return text;
 }
 
-bool print(std::size_t rays) {
-    std::cout << "| case | F(0→1) |";
+bool printPairs(std::size_t rays) {
+    std::cout << "| pair of patches | F(0→1) |";
     for (const Method method : methods) std::cout << ' ' << nameOf(method) << " |";
-    std::cout << "\n| --- | --- | --- | --- | --- | --- | --- |\n";
+    std::cout << "\n| --- | --- |";
+    for (std::size_t i = 0; i < std::size(methods); ++i) std::cout << " --- |";
+    std::cout << '\n';
     bool held = true;
     for (const HardCase& hard : hardCases()) {
         char truth[40];
@@ -36,9 +40,39 @@ bool print(std::size_t rays) {
         for (const Method method : methods) std::cout << ' ' << cell(hard, method, rays, held) << " |";
         std::cout << std::endl;
     }
-    std::cout << (held ? "every method holds every case that it is made for\n"
-                       : "errors in bold are larger than allowed\n");
     return held;
+}
+
+// The relative error of the worst patch.
+std::string cell(const HardRoom& room, Solver solver, bool& held) {
+    const double allowed = allowedError(room, solver);
+    if (std::isinf(allowed)) return "not made for it";
+    const double error = errorOf(room, solver);
+    held = held && error <= allowed;
+    if (room.truth.empty()) return error == 0.0 ? "refused" : "**not refused**";
+    char text[40];
+    std::snprintf(text, sizeof text, error <= allowed ? "%.1e" : "**%.1e**", error);
+    return text;
+}
+
+bool printRooms() {
+    std::cout << "\n| room | patches |";
+    for (const Solver solver : solvers) std::cout << ' ' << nameOf(solver) << " |";
+    std::cout << "\n| --- | --- | --- | --- | --- |\n";
+    bool held = true;
+    for (const HardRoom& room : hardRooms()) {
+        std::cout << "| " << room.what << " | " << room.geometry.patches.size() << " |";
+        for (const Solver solver : solvers) std::cout << ' ' << cell(room, solver, held) << " |" << std::flush;
+        std::cout << std::endl;
+    }
+    return held;
+}
+
+bool print(std::size_t rays) {
+    const bool pairs = printPairs(rays), rooms = printRooms();
+    std::cout << (pairs && rooms ? "every method holds every case that it is made for\n"
+                                 : "errors in bold are larger than allowed\n");
+    return pairs && rooms;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "engine/HardCases.h"
+#include "engine/HardRooms.h"
 
 #include <cmath>
 
@@ -21,5 +22,17 @@ TEST_CASE("hard cases: every method gives a form factor, within the error that i
             CHECK(found >= 0.0);
             if (method != Method::point) CHECK(found <= 1.0 + 1e-12);
             CHECK(std::abs(found - hard.truth) <= allowedError(hard, method, rays));
+        }
+}
+
+TEST_CASE(
+    "hard rooms: every solver gives finite radiosities, none below what is emitted, within the error that it is "
+    "allowed") {
+    for (const HardRoom& room : hardRooms())
+        for (const Solver solver : {Solver::matrix, Solver::shooting, Solver::links}) {
+            if (std::isinf(allowedError(room, solver))) continue;
+            CAPTURE(room.what);
+            CAPTURE(nameOf(solver));
+            CHECK(errorOf(room, solver) <= allowedError(room, solver));
         }
 }
