@@ -23,7 +23,7 @@ engine::FormFactorOptions optionsOf(const FormFactorFlags& flags) {
 engine::FormFactorMatrix runFormFactors(const SceneInput& input, engine::FormFactorOptions options,
                                         engine::FormFactorReport& report) {
     ProgressBar bar("form factors", static_cast<double>(input.geometry.patches.size()), "rows");
-    options.occlusion = input.effects.occlusion;
+    options.occlusion = input.effects.has(Effect::occlusion);
     options.progress = [&](std::size_t rows) { bar.show(static_cast<double>(rows)); };
     return engine::formFactors(input.geometry, options, &report);
 }

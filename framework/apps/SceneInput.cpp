@@ -36,6 +36,12 @@ double sizeFor(const Scene& scene) {
     return std::sqrt(area / patchesWanted);
 }
 
+std::vector<Force> forcesOf(const SceneFlags& flags) {
+    std::vector<Force> forces;
+    for (const std::string& text : flags.force) forces.push_back(forceNamed(text));
+    return forces;
+}
+
 }  // namespace
 
 void addSceneFlags(CLI::App& app, SceneFlags& flags) {
@@ -43,9 +49,12 @@ void addSceneFlags(CLI::App& app, SceneFlags& flags) {
     app.add_option("--patch-size", flags.patchSize,
                    "Longest edge of a patch; else as the settings say, or for about 1000 patches")
         ->check(CLI::PositiveNumber);
+    app.add_option("--force", flags.force, "EFFECT=on or EFFECT=off, against what the scene calls for; repeatable")
+        ->allow_extra_args(false);
 }
 
 SceneInput readSceneInput(const SceneFlags& flags) {
+    const std::vector<Force> forces = forcesOf(flags);
     SceneInput input;
     Sizes sizes;
     input.scene = read(flags, sizes);
@@ -53,7 +62,8 @@ SceneInput readSceneInput(const SceneFlags& flags) {
     input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
                                              static_cast<float>(sizes.light));
     input.geometry = engine::geometryOf(input.scene, *input.mesh);
-    input.effects = findEffects(input.scene);
+    input.effects = findEffects(input.scene, input.mesh.get());
+    for (const Force& force : forces) apply(force, input.effects);
     char text[64];
     std::snprintf(text, sizeof text, ": %zu patches of size %.4g", input.geometry.patches.size(), sizes.patch);
     input.summary = input.scene.file + text;
@@ -61,11 +71,13 @@ SceneInput readSceneInput(const SceneFlags& flags) {
 }
 
 SceneInput readFacesInput(const SceneFlags& flags) {
+    const std::vector<Force> forces = forcesOf(flags);
     SceneInput input;
     Sizes sizes;
     input.scene = read(flags, sizes);
     input.geometry = engine::geometryOf(input.scene);
     input.effects = findEffects(input.scene);
+    for (const Force& force : forces) apply(force, input.effects);
     input.summary = input.scene.file + ": its " + std::to_string(input.geometry.patches.size()) + " faces as patches";
     return input;
 }

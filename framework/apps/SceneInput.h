@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "course/PatchMesh.h"
 #include "engine/Geometry.h"
@@ -16,14 +17,15 @@ namespace radlab {
 
 /// What a program was told of the scene to work on.
 struct SceneFlags {
-    std::string file;        ///< X3D, or settings (Resource.xml) that name it
-    double patchSize = 0.0;  ///< 0: as the settings say, or for about 1000 patches
+    std::string file;                ///< X3D, or settings (Resource.xml) that name it
+    double patchSize = 0.0;          ///< 0: as the settings say, or for about 1000 patches
+    std::vector<std::string> force;  ///< EFFECT=on or EFFECT=off
 };
 
-/// Adds SCENE and --patch-size to a program's flags.
+/// Adds SCENE, --patch-size and --force to a program's flags.
 void addSceneFlags(CLI::App& app, SceneFlags& flags);
 
-/// A scene, cut into patches, and the effects that it calls for.
+/// A scene, cut into patches, and the effects that it calls for or the user demands.
 struct SceneInput {
     Scene scene;
     std::unique_ptr<PatchMesh> mesh;
@@ -32,7 +34,7 @@ struct SceneInput {
     std::string summary;  ///< file and patches, in a line
 };
 
-/// Errors: those of the readers and the Mesher.
+/// Errors: those of forceNamed, the readers and the Mesher.
 SceneInput readSceneInput(const SceneFlags& flags);
 
 /// The same with the scene's faces as the patches, and no mesh.

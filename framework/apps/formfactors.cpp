@@ -24,7 +24,7 @@ std::string describeRun(const FormFactorReport& report, const Effects& effects) 
     char text[100];
     std::snprintf(text, sizeof text, "method %s: %zu rays, %.3g s\n", nameOf(report.method).c_str(), report.rays,
                   report.seconds);
-    return text + effects.reason;
+    return text + describe(effects, Effect::occlusion);
 }
 
 int formFactorTable(const Flags& flags) {

@@ -44,8 +44,10 @@ Solution solve(const SceneInput& input, const FormFactorOptions& options) {
     const Stopwatch watch;
     Solution solution;
     solution.surfaces = surfacesOf(*input.mesh);
+    SolverOptions solving;
+    solving.channels = input.effects.channels();
     SolverReport solver;
-    solution.radiosity = solveRadiosity(matrix, solution.surfaces, {}, &solver);
+    solution.radiosity = solveRadiosity(matrix, solution.surfaces, solving, &solver);
     char text[300];
     std::snprintf(text, sizeof text,
                   "form factors: %s, %zu rays, %.3g s\nradiosities: %d of 3 channels solved, %zu iterations, %.3g s",
@@ -102,7 +104,7 @@ int render(const Flags& flags) {
     if (flags.camera > 0 && flags.camera >= input.scene.cameras.size())
         throw Error(input.scene.file + ": found " + std::to_string(input.scene.cameras.size()) +
                     " viewpoints, and --camera " + std::to_string(flags.camera) + " (the first is 0)");
-    std::cout << input.summary << '\n' << input.effects.reason << std::endl;
+    std::cout << input.summary << '\n' << describe(input.effects, Effect::occlusion) << std::endl;
     if (std::none_of(input.mesh->patches.begin(), input.mesh->patches.end(),
                      [](const MyPolygon& patch) { return patch.emissive != Vec3f(0.0f); }))
         warn(input.scene.file + ": nothing emits light, so every radiosity is 0");

@@ -131,16 +131,6 @@ Solved solveChannel(const Transport& transport, const Values& emission, const Va
     return solved;
 }
 
-// By how much one channel's light is another's, or 0 where they are not in one proportion.
-double proportion(const Values& of, const Values& to) {
-    const auto lit = std::max_element(to.begin(), to.end());
-    const auto at = static_cast<std::size_t>(lit - to.begin());
-    const double ratio = of[at] / *lit;
-    for (std::size_t i = 0; i < of.size(); ++i)
-        if (std::abs(of[i] - ratio * to[i]) > 1e-12 * ratio * to[i]) return 0.0;
-    return ratio;
-}
-
 }  // namespace
 
 Surfaces surfacesOf(const PatchMesh& mesh) {
@@ -170,26 +160,16 @@ std::vector<Point> solveRadiosity(const Transport& transport, const Surfaces& su
     requireReciprocal(transport);
     std::vector<Point> radiosity(transport.areas.size(), Point(0.0));
     SolverReport made;
-    std::vector<int> solvedChannels;
+    const Channels channels = options.channels.value_or(channelsOf(surfaces.emission, surfaces.reflectance));
     for (int channel = 0; channel < 3; ++channel) {
-        const Values emission = channelOf(surfaces.emission, channel);
-        if (isDark(emission)) continue;
-        const Values reflectance = channelOf(surfaces.reflectance, channel);
-        const auto like = std::find_if(solvedChannels.begin(), solvedChannels.end(), [&](int other) {
-            return channelOf(surfaces.reflectance, other) == reflectance &&
-                   proportion(emission, channelOf(surfaces.emission, other)) > 0.0;
-        });
-        if (like != solvedChannels.end()) {
-            const double ratio = proportion(emission, channelOf(surfaces.emission, *like));
-            for (Point& b : radiosity) b[channel] = ratio * b[*like];
-            continue;
-        }
-        const Solved solved = solveChannel(transport, emission, reflectance, options);
+        if (!channels.solved(channel)) continue;
+        const Solved solved = solveChannel(transport, channelOf(surfaces.emission, channel),
+                                           channelOf(surfaces.reflectance, channel), options);
         for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i][channel] = solved.radiosity[i];
         made = {made.channels + 1, std::max(made.iterations, solved.iterations),
                 std::max(made.residual, solved.residual)};
-        solvedChannels.push_back(channel);
     }
+    for (Point& b : radiosity) b = channels.spread(b);
     if (report) *report = made;
     return radiosity;
 }

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "course/PatchMesh.h"
 #include "engine/FormFactorMatrix.h"
+#include "scene/Channels.h"
 
 namespace radlab::engine {
 
@@ -31,6 +33,7 @@ Transport transportOf(const FormFactorMatrix& matrix);
 struct SolverOptions {
     double tolerance = 1e-10;  ///< of the residual, relative to the light that is reflected once
     std::size_t mostIterations = 1000;
+    std::optional<Channels> channels;  ///< to solve; else the fewest that give all three
 };
 
 /// How a solution came about.
@@ -44,8 +47,7 @@ struct SolverReport {
 ///
 /// Solves for the reflected part by conjugate gradients, on the system that reciprocity makes symmetric: with
 /// S = A·F, y = √(A/ρ)·(B - E) obeys y - √(ρ/A)·S·√(ρ/A)·y = √(ρ/A)·S·E. Black patches drop out by themselves. A channel
-/// without light is not solved, and one whose reflectances are another's and whose emissions are in one proportion to it is
-/// that one's multiple.
+/// that is dark or a multiple of another one is not solved (channelsOf).
 ///
 /// @return W/m² per channel, >= 0 up to the tolerance, in the order of the patches
 /// @cost   each iteration is one exchange, 13 to 15 of them at ρ = 0.99; the same bits for any number of threads

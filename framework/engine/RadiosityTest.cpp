@@ -144,6 +144,26 @@ TEST_CASE("only the channels that carry light of their own are solved") {
     CHECK(channels(Point(1.0), Point(0.5, 0.6, 0.7)) == 3);
 }
 
+TEST_CASE("channels that need not be solved come out the same where they are, and one can stand for all") {
+    const FormFactorMatrix matrix = exactMatrix(finerBox(2));
+    Surfaces surfaces = grey(24, 0.0, 0.8);
+    surfaces.emission[7] = Point(1.0, 2.0, 0.0);
+    SolverOptions options;
+    SolverReport report;
+    const std::vector<Point> fewest = solveRadiosity(matrix, surfaces, options, &report);
+    CHECK(report.channels == 1);
+    options.channels = Channels{{0, 1, 2}, {1.0, 1.0, 1.0}};
+    const std::vector<Point> all = solveRadiosity(matrix, surfaces, options, &report);
+    CHECK(report.channels == 3);
+    options.channels = Channels{{1, 1, 1}, {1.0, 1.0, 1.0}};
+    const std::vector<Point> one = solveRadiosity(matrix, surfaces, options, &report);
+    CHECK(report.channels == 1);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        CHECK(glm::length(all[i] - fewest[i]) <= 1e-9 * glm::length(fewest[i]));
+        CHECK(glm::length(one[i] - Point(all[i].y)) <= 1e-9 * all[i].y);
+    }
+}
+
 TEST_CASE("the radiosities are the same to the bit for any number of threads, and for no patches there are none") {
     const FormFactorMatrix matrix = exactMatrix(finerBox(5));
     Surfaces surfaces = grey(150, 0.0, 0.8);

@@ -55,7 +55,7 @@ RTCRay rayFrom(const Point& from, const Point& direction, double nearest, double
 }  // namespace
 
 struct RayScene::Tree {
-    RTCDevice device = rtcNewDevice("threads=1");
+    RTCDevice device = rtcNewDevice(nullptr);
     RTCScene scene = rtcNewScene(device);
     double offset = 0.0;  // how far from its start a ray looks for hits
 

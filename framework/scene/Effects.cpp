@@ -1,196 +1,217 @@
 #include "scene/Effects.h"
 
 #include <algorithm>
-#include <limits>
-#include <optional>
-#include <vector>
 
-#include <glm/glm.hpp>
+#include "base/Warning.h"
+#include "scene/Occlusion.h"
 
 namespace radlab {
 
 namespace {
 
-constexpr double relativeTolerance = 1e-5;
-constexpr std::size_t blockSize = 64;
-
-struct Corner {
-    glm::dvec3 position;
-    const Face* face;  // one that has it
+struct About {
+    const char* name;
+    const char* missing;  // from the picture where it is needed and left out
 };
 
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+constexpr std::array<About, allEffects.size()> about{{{"occlusion", "shadows will be missing"},
+                                                      {"indirect", "light reflected more than once will be missing"},
+                                                      {"colour", "all channels will be multiples of one"},
+                                                      {"specular", "mirror images will be missing"},
+                                                      {"transparency", "all faces will be opaque"},
+                                                      {"smooth", "each patch will have one colour"},
+                                                      {"antialias", "edges will be jagged"}}};
 
-    void add(const glm::dvec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+const About& aboutOf(Effect effect) { return about[static_cast<std::size_t>(effect)]; }
+
+Decision found(bool needed, const std::string& reason) { return {needed, needed, false, reason}; }
+
+// The face of which a quantity is largest; null where it is 0 everywhere.
+template <class Quantity>
+const Face* largest(const Scene& scene, const Quantity& quantity) {
+    const Face* best = nullptr;
+    float most = 0.0f;
+    for (const Face& face : scene.faces) {
+        const float value = quantity(*face.material);
+        if (value <= most) continue;
+        most = value;
+        best = &face;
     }
-
-    glm::dvec3 furthestAlong(const glm::dvec3& n) const {
-        return {n.x > 0 ? high.x : low.x, n.y > 0 ? high.y : low.y, n.z > 0 ? high.z : low.z};
-    }
-};
-
-struct Plane {
-    glm::dvec3 normal;
-    glm::dvec3 point;
-
-    Plane turned() const { return {-normal, point}; }
-};
-
-double height(const Plane& plane, const glm::dvec3& p) { return glm::dot(plane.normal, p - plane.point); }
-
-/// What a look behind a plane found.
-struct Look {
-    const Corner* behind = nullptr;
-    double lowest = std::numeric_limits<double>::infinity();  // no corner is lower, where none is behind
-    long long tests = 0;
-};
-
-/// The corners that faces use, each once, in blocks with a box around each.
-class Corners {
-public:
-    explicit Corners(const Scene& scene) {
-        std::vector<bool> seen(scene.vertices.size(), false);
-        for (const Face& face : scene.faces)
-            for (int index : face.corners) add(scene, face, static_cast<std::size_t>(index), seen);
-    }
-
-    double diagonal() const { return corners.empty() ? 0 : glm::length(whole.high - whole.low); }
-    double limit() const { return -relativeTolerance * diagonal(); }
-
-    /// Looks for a corner further behind the plane than the tolerance.
-    ///
-    /// A block whose box lies above the plane is skipped: in a room that is nearly all of them.
-    Look lookBehind(const Plane& plane) const {
-        Look look;
-        for (std::size_t block = 0; block < boxes.size() && !look.behind; ++block) {
-            const double lowest = height(plane, boxes[block].furthestAlong(-plane.normal));
-            ++look.tests;
-            if (lowest >= limit())
-                look.lowest = std::min(look.lowest, lowest);
-            else
-                lookInBlock(plane, block, look);
-        }
-        return look;
-    }
-
-private:
-    void lookInBlock(const Plane& plane, std::size_t block, Look& look) const {
-        const std::size_t end = std::min(corners.size(), (block + 1) * blockSize);
-        for (std::size_t i = block * blockSize; i < end && !look.behind; ++i) {
-            const double above = height(plane, corners[i].position);
-            ++look.tests;
-            look.lowest = std::min(look.lowest, above);
-            if (above < limit()) look.behind = &corners[i];
-        }
-    }
-
-    void add(const Scene& scene, const Face& face, std::size_t index, std::vector<bool>& seen) {
-        if (seen[index]) return;
-        seen[index] = true;
-        if (corners.size() % blockSize == 0) boxes.emplace_back();
-        corners.push_back({glm::dvec3(scene.vertices[index]), &face});
-        boxes.back().add(corners.back().position);
-        whole.add(corners.back().position);
-    }
-
-    std::vector<Corner> corners;
-    std::vector<Box> boxes;
-    Box whole;
-};
-
-/// The plane of a face through the mean of its corners; nothing for a face without area, which hides nothing.
-std::optional<Plane> planeOf(const Scene& scene, const Face& face) {
-    const auto at = [&](std::size_t i) {
-        return glm::dvec3(scene.vertices[static_cast<std::size_t>(face.corners[i % face.corners.size()])]);
-    };
-    glm::dvec3 sum(0.0), mean(0.0);
-    for (std::size_t i = 0; i < face.corners.size(); ++i) {
-        sum += glm::cross(at(i) - at(0), at(i + 1) - at(0));
-        mean += at(i) / static_cast<double>(face.corners.size());
-    }
-    const double length = glm::length(sum);
-    if (!(length > 0)) return std::nullopt;
-    return Plane{sum / length, mean};
+    return best;
 }
 
-/// Shows of one plane after another that no corner lies behind it.
-class Prover {
-public:
-    explicit Prover(const Scene& scene) : corners(scene) {}
+float largestOf(const Vec3f& color) { return std::max({color.r, color.g, color.b}); }
 
-    /// A corner that keeps the face from being harmless, or null.
-    const Corner* findHidden(const Face& face, const Plane& plane) {
-        const Corner* behind = findBehind(plane);
-        if (behind && face.twoSided && !findBehind(plane.turned())) return nullptr;
-        return behind;
-    }
+// 1 for each channel of which some face has anything.
+template <class Color>
+Vec3f channelsWith(const Scene& scene, const Color& color) {
+    Vec3f any(0.0f);
+    for (const Face& face : scene.faces)
+        for (int c = 0; c < 3; ++c)
+            if (color(*face.material)[c] > 0.0f) any[c] = 1.0f;
+    return any;
+}
 
-    bool hasGivenUp() const { return tests > mostTests; }
+Vec3f litChannels(const Scene& scene) {
+    return channelsWith(scene, [](const Material& material) { return material.emissive; });
+}
 
-private:
-    struct Known {
-        Plane plane;
-        double lowest;
+std::string withNumber(const char* what, float value) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%s %.3g", what, double(value));
+    return text;
+}
+
+Decision findIndirect(const Scene& scene) {
+    const Vec3f lit = litChannels(scene);
+    if (lit == Vec3f(0.0f)) return found(false, "nothing emits light");
+    const auto reflected = [&](const Material& material) {
+        return largestOf((material.diffuse + material.specular) * lit);
     };
+    const Face* brightest = largest(scene, reflected);
+    if (!brightest) return found(false, "no face reflects the light that there is: one pass of shots is exact");
+    return found(true, "the face at " + placeOf(*brightest) + " reflects most, " +
+                           withNumber("a share of", reflected(*brightest->material)));
+}
 
-    const Corner* findBehind(const Plane& plane) {
-        const auto follows = [&](const Known& known) { return followsFrom(known, plane); };
-        if (std::any_of(recent.begin(), recent.end(), follows)) return nullptr;
-        const Look look = corners.lookBehind(plane);
-        tests += look.tests;
-        if (!look.behind) remember({plane, look.lowest});
-        return look.behind;
+Channels findChannels(const Scene& scene) {
+    std::vector<glm::dvec3> emission, reflectance;
+    for (const Face& face : scene.faces) {
+        emission.emplace_back(face.material->emissive);
+        reflectance.emplace_back(face.material->diffuse);
+        emission.emplace_back(0.0);
+        reflectance.emplace_back(face.material->specular);
     }
+    return channelsOf(emission, reflectance);
+}
 
-    /// Whether a plane has nothing behind it since one of nearly the same place and slope has not: the faces
-    /// of one wall are settled by its first.
-    bool followsFrom(const Known& known, const Plane& plane) const {
-        const double shift = glm::dot(known.plane.normal, known.plane.point - plane.point);
-        const double slope = glm::length(plane.normal - known.plane.normal) * corners.diagonal();
-        return known.lowest + shift - slope >= corners.limit();
-    }
+std::string listOf(const Channels& channels) {
+    std::string list;
+    for (int c = 0; c < 3; ++c)
+        if (channels.solved(c)) list += (list.empty() ? "" : ", ") + std::string(nameOfChannel(c));
+    return list;
+}
 
-    void remember(const Known& known) {
-        if (recent.size() < mostRecent)
-            recent.push_back(known);
-        else
-            recent[next++ % mostRecent] = known;
-    }
+// The face that keeps channels from being one: the most colourful one in the channels that are lit, else a light.
+const Face* mostColorful(const Scene& scene) {
+    const Vec3f lit = litChannels(scene);
+    const auto spread = [=](const Vec3f& color) {
+        float low = largestOf(color * lit);
+        for (int c = 0; c < 3; ++c)
+            if (lit[c] > 0.0f) low = std::min(low, color[c]);
+        return largestOf(color * lit) - low;
+    };
+    const auto reflected = [&](const Material& material) {
+        return spread(material.diffuse) + spread(material.specular);
+    };
+    const Face* face = largest(scene, reflected);
+    return face ? face : largest(scene, [&](const Material& material) { return spread(material.emissive); });
+}
 
-    static constexpr std::size_t mostRecent = 64;
-    static constexpr long long mostTests = 500'000'000;  // about a second
+Decision findColour(const Scene& scene, const Channels& channels) {
+    if (channels.count() == 0) return found(false, "all channels are dark, as nothing emits light");
+    if (channels.count() == 1)
+        return found(false, std::string("one channel (") + listOf(channels) +
+                                ") is enough, the others are dark or its multiples");
+    return found(true, std::to_string(channels.count()) + " channels (" + listOf(channels) +
+                           ") differ, as the face at " + placeOf(*mostColorful(scene)) + " is coloured");
+}
 
-    const Corners corners;
-    std::vector<Known> recent;
-    std::size_t next = 0;
-    long long tests = 0;
-};
+Decision findSpecular(const Scene& scene, bool ontoDiffuse) {
+    const auto mirrored = [](const Material& material) { return largestOf(material.specular); };
+    const Face* brightest = largest(scene, mirrored);
+    if (!brightest) return found(false, "no face mirrors");
+    return found(true, "the face at " + placeOf(*brightest) + " mirrors " +
+                           withNumber("a share of", mirrored(*brightest->material)) +
+                           (ontoDiffuse ? ", also onto diffuse faces" : ", but no light onto diffuse faces"));
+}
 
-std::string placeOf(const Face& face) { return face.where.file + ":" + std::to_string(face.where.line); }
+bool throwsLightOntoDiffuse(const Scene& scene) {
+    const Vec3f mirrored = channelsWith(scene, [](const Material& material) { return material.specular; });
+    const Vec3f diffuse = channelsWith(scene, [](const Material& material) { return material.diffuse; });
+    return litChannels(scene) * mirrored * diffuse != Vec3f(0.0f);
+}
+
+Decision findTransparency(const Scene& scene) {
+    const Face* clearest = largest(scene, [](const Material& material) { return material.transparency; });
+    if (!clearest) return found(false, "every face is opaque");
+    return found(true, "the face at " + placeOf(*clearest) + " lets " +
+                           withNumber("a share of", clearest->material->transparency) + " through");
+}
+
+Decision findSmooth(const Scene& scene, const PatchMesh* mesh) {
+    if (scene.faces.empty()) return found(false, "there are no faces");
+    if (!mesh) return found(true, "the faces may be cut into several patches");
+    std::vector<bool> seen(mesh->corners.size(), false);
+    for (std::size_t i = 0; i < mesh->patches.size(); ++i)
+        for (int k = 0; k < mesh->patches[i].vertices; ++k) {
+            const auto vertex = static_cast<std::size_t>(mesh->patches[i].vertex[k]);
+            if (seen[vertex])
+                return found(true, "the face at " + placeOf(scene.faces[static_cast<std::size_t>(mesh->faceOf[i])]) +
+                                       " has patches that share a vertex");
+            seen[vertex] = true;
+        }
+    return found(false, "every face is one patch, joined to no other");
+}
+
+Decision findAntialias(const Scene& scene) {
+    if (scene.faces.empty()) return found(false, "there are no faces");
+    return found(true, "faces have edges, from the one at " + placeOf(scene.faces.front()) +
+                           " on; only pixels that differ from their neighbours are sampled again");
+}
 
 }  // namespace
 
-Effects findEffects(const Scene& scene) {
-    Prover prover(scene);
-    for (const Face& face : scene.faces) {
-        const auto plane = planeOf(scene, face);
-        const Corner* hidden = plane ? prover.findHidden(face, *plane) : nullptr;
-        if (hidden)
-            return {true, "occlusion: the face at " + placeOf(face) + " may hide others, a corner of the face at " +
-                              placeOf(*hidden->face) + " lies behind it"};
-        if (prover.hasGivenUp())
-            return {true, "occlusion: too many faces to show that none hides another, given up at the face at " +
-                              placeOf(face)};
+Channels Effects::channels() const {
+    const Decision& colour = (*this)[Effect::colour];
+    if (colour.on == colour.needed) return neededChannels;
+    if (colour.on) return {{0, 1, 2}, {1.0, 1.0, 1.0}};
+    for (int c = 0; c < 3; ++c)
+        if (neededChannels.solved(c)) return {{c, c, c}, {1.0, 1.0, 1.0}};
+    return {};
+}
+
+const char* nameOf(Effect effect) { return aboutOf(effect).name; }
+
+Effects findEffects(const Scene& scene, const PatchMesh* mesh) {
+    Effects effects;
+    const Occlusion occlusion = findOcclusion(scene);
+    effects.neededChannels = findChannels(scene);
+    effects.specularOntoDiffuse = throwsLightOntoDiffuse(scene);
+    effects[Effect::occlusion] = found(occlusion.found, occlusion.reason);
+    effects[Effect::indirect] = findIndirect(scene);
+    effects[Effect::colour] = findColour(scene, effects.neededChannels);
+    effects[Effect::specular] = findSpecular(scene, effects.specularOntoDiffuse);
+    effects[Effect::transparency] = findTransparency(scene);
+    effects[Effect::smooth] = findSmooth(scene, mesh);
+    effects[Effect::antialias] = findAntialias(scene);
+    return effects;
+}
+
+Force forceNamed(const std::string& text) {
+    std::string expected;
+    for (const Effect effect : allEffects) {
+        const std::string name = nameOf(effect);
+        if (text == name + "=on") return {effect, true};
+        if (text == name + "=off") return {effect, false};
+        expected += (expected.empty() ? "" : ", ") + name;
     }
-    const std::string all = std::to_string(scene.faces.size());
-    return {false, "no occlusion: no corner lies behind any of the " + all + " faces" +
-                       (scene.faces.empty()
-                            ? ""
-                            : ", from " + placeOf(scene.faces.front()) + " to " + placeOf(scene.faces.back()))};
+    throw Error("--force: found '" + text + "', expected EFFECT=on or EFFECT=off, EFFECT one of " + expected);
+}
+
+void apply(const Force& force, Effects& effects) {
+    Decision& decision = effects[force.effect];
+    decision.on = force.on;
+    decision.forced = true;
+    if (decision.needed && !force.on)
+        warn(std::string(nameOf(force.effect)) + " is forced off: " + aboutOf(force.effect).missing + ", although " +
+             decision.reason);
+}
+
+std::string describe(const Effects& effects, Effect effect) {
+    const Decision& decision = effects[effect];
+    return (decision.on ? "" : "no ") + std::string(nameOf(effect)) + (decision.forced ? " (forced)" : "") + ": " +
+           decision.reason;
 }
 
 }  // namespace radlab

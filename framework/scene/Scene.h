@@ -25,4 +25,7 @@ struct Scene {
     Vec3f background{0.0f};       ///< linear RGB
 };
 
+/// Where a face was read, for messages: file:line.
+inline std::string placeOf(const Face& face) { return face.where.file + ":" + std::to_string(face.where.line); }
+
 }  // namespace radlab

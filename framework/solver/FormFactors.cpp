@@ -9,7 +9,7 @@ namespace radlab {
 
 FormFactorMethod formFactorMethod(const Resource& resource, const Scene& scene) {
     if (resource.method != FormFactorMethod::automatic) return resource.method;
-    return findEffects(scene).occlusion ? FormFactorMethod::hemicube : FormFactorMethod::analytic;
+    return findEffects(scene).has(Effect::occlusion) ? FormFactorMethod::hemicube : FormFactorMethod::analytic;
 }
 
 Progressive::FormFactors formFactorsBy(FormFactorMethod method, int hemicubeSize) {
