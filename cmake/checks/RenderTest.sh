@@ -39,6 +39,35 @@ case $claim in
         says err 'nothing emits light'
         awk -F, 'NR > 2 && ($16 != 0 || $17 != 0 || $18 != 0) { exit 1 }' dark.csv || wrong "light: $(cat dark.csv)"
         ;;
+    "path tracing finds E/(1-rho) in the furnace within its standard errors, and draws a picture")
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.5 --method path --samples 256 --csv furnace.csv
+        exits 0
+        says out 'path tracing, 256 paths a patch'
+        grep -v '^#' furnace.csv | awk -F, '
+            NR == 1 { if ($21 != "se_b") exit 1; next }
+            { for (c = 0; c < 3; ++c) {
+                  off = $(16 + c) - $(13 + c) / (1 - $(10 + c))
+                  if (off < 0) off = -off
+                  if ($(19 + c) <= 0 || off > 5 * $(19 + c)) exit 1 } }
+            END { if (NR != 25) exit 1 }' || wrong "$(cat furnace.csv)"
+        run "$project/resources/scenes/cornell_2.x3d" --method path --samples 4 --width 40 --height 30 -o box.png
+        exits 0
+        says out 'path tracing, 4 paths a pixel'
+        [ "$(head -c 4 box.png | tail -c 3)" = PNG ] || wrong "no PNG"
+        run "$project/resources/scenes/furnace.x3d" --samples 4 --csv none.csv
+        exits 2
+        says err 'expected --method path'
+        ;;
+    "a picture gathers light at mirrors alone, and needs no OpenGL")
+        run "$project/resources/scenes/mirror.x3d" --patch-size 200 --width 64 --height 64 --antialias 1 -o mirror.png
+        exits 0
+        says out ', 0 of 4096 pixels sampled more than once'
+        if grep -q ', 0 gathers' out; then wrong "no gathers: $(cat out)"; fi
+        run "$project/resources/scenes/cornell_2.x3d" --patch-size 200 --width 64 --height 64 -o box.png
+        exits 0
+        says out ', 0 gathers'
+        if command -v ldd >/dev/null && ldd "$program" | grep -qE 'libOSMesa|libEGL|libGL'; then wrong "linked with OpenGL"; fi
+        ;;
     "what is wrong is said before any work, with exit code 2, and leaves no file")
         run "$project/resources/scenes/furnace.x3d"
         exits 2

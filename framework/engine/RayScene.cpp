@@ -23,6 +23,7 @@ struct Passing {
     const Plane* planes = nullptr;
     Point from{0.0};
     double near = 0.0;  // up to here doubles decide, where floats cannot: a ray that starts in a plane does not meet it
+    const Point* towards = nullptr;  // given where only fronts stop the ray: its direction
 };
 
 bool startsInPlane(const Passing& passing, std::size_t polygon) {
@@ -30,10 +31,15 @@ bool startsInPlane(const Passing& passing, std::size_t polygon) {
     return heightOver(passing.from, plane.on, plane.normal) == 0.0;
 }
 
+bool meetsBack(const Passing& passing, std::size_t polygon) {
+    return passing.towards && glm::dot(*passing.towards, passing.planes[polygon].normal) >= 0.0;
+}
+
 void passThrough(const RTCFilterFunctionNArguments* arguments) {
     const auto* passing = reinterpret_cast<const Passing*>(arguments->context);
     const std::size_t polygon = passing->polygonOf[RTCHitN_primID(arguments->hit, arguments->N, 0)];
-    if (polygon == passing->first || polygon == passing->second) arguments->valid[0] = 0;
+    if (polygon == passing->first || polygon == passing->second || meetsBack(*passing, polygon))
+        arguments->valid[0] = 0;
     const double distance = double(RTCRayN_tfar(arguments->ray, arguments->N, 0));
     if (passing->planes && distance < passing->near && startsInPlane(*passing, polygon)) arguments->valid[0] = 0;
 }
@@ -91,7 +97,7 @@ struct RayScene::Tree {
     }
 
     Passing passing(const std::vector<std::size_t>& polygonOf, std::size_t first, std::size_t second) const {
-        Passing made{{}, polygonOf.data(), first, second, nullptr, Point(0.0), 0.0};
+        Passing made{{}, polygonOf.data(), first, second, nullptr, Point(0.0), 0.0, nullptr};
         rtcInitIntersectContext(&made.context);
         made.context.filter = passThrough;
         return made;
@@ -129,7 +135,7 @@ bool RayScene::hides(const Point& from, const Point& to, std::size_t first, std:
     return ray.tfar < 0.0f;
 }
 
-std::size_t RayScene::firstHit(const Point& from, const Point& direction, std::size_t start) const {
+RayHit RayScene::meet(const Point& from, const Point& direction, std::size_t start, Sides sides) const {
     RTCRayHit hit{};
     hit.ray = rayFrom(from - origin, direction, 0.0, 1e30);
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -137,9 +143,11 @@ std::size_t RayScene::firstHit(const Point& from, const Point& direction, std::s
     passing.planes = planes.data();
     passing.from = from;
     passing.near = tree->offset / glm::length(direction);
+    if (sides == Sides::fronts) passing.towards = &direction;
     traced.fetch_add(1, std::memory_order_relaxed);
     rtcIntersect1(tree->scene, &passing.context, &hit);
-    return hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nothing : polygonOf[hit.hit.primID];
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return {polygonOf[hit.hit.primID], double(hit.ray.tfar)};
 }
 
 }  // namespace radlab::engine

@@ -14,12 +14,25 @@ struct Plane {
     Point on, normal;
 };
 
-/// Polygons as rays meet them: opaque from both sides.
+/// From where a polygon stops rays.
+enum class Sides {
+    both,
+    fronts,  ///< what is met from its back lets the ray pass
+};
+
+/// What a ray met.
+struct RayHit {
+    static constexpr std::size_t nothing = static_cast<std::size_t>(-1);
+    std::size_t polygon = nothing;
+    double distance = 0.0;  ///< from the start, in lengths of the direction, as good as floats are
+};
+
+/// Polygons as rays meet them: opaque from both sides, unless asked otherwise.
 ///
 /// Rays run in floats, in a frame with its origin in the middle of the scene. May be asked by several threads at once.
 class RayScene {
 public:
-    static constexpr std::size_t nothing = static_cast<std::size_t>(-1);
+    static constexpr std::size_t nothing = RayHit::nothing;
 
     /// @cost a tree over all triangles
     explicit RayScene(const std::vector<Polygon>& polygons);
@@ -30,8 +43,13 @@ public:
     /// Whether anything but the two named polygons lies on the line between two points.
     bool hides(const Point& from, const Point& to, std::size_t first, std::size_t second) const;
 
-    /// The polygon that a ray meets first, other than the one it starts from; `nothing` where it leaves the scene.
-    std::size_t firstHit(const Point& from, const Point& direction, std::size_t start) const;
+    /// What a ray meets first, other than the polygon it starts from; `nothing` where it leaves the scene.
+    RayHit meet(const Point& from, const Point& direction, std::size_t start, Sides sides = Sides::both) const;
+
+    /// The polygon that a ray meets first.
+    std::size_t firstHit(const Point& from, const Point& direction, std::size_t start) const {
+        return meet(from, direction, start).polygon;
+    }
 
     /// How many rays were traced so far.
     std::size_t rays() const { return traced; }

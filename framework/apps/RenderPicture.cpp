@@ -1,0 +1,86 @@
+#include "apps/RenderPicture.h"
+
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "base/ImageFile.h"
+#include "base/ProgressBar.h"
+#include "base/Stopwatch.h"
+#include "display/ToneMap.h"
+#include "engine/PathTracer.h"
+#include "engine/Picture.h"
+
+namespace radlab {
+
+using namespace engine;
+
+namespace {
+
+Frame frameOf(const PictureFlags& flags, const Scene& scene) {
+    Frame frame;
+    frame.width = flags.width;
+    frame.height = flags.height;
+    frame.background = Point(scene.background);
+    if (flags.camera < scene.cameras.size()) frame.camera = scene.cameras[flags.camera];
+    return frame;
+}
+
+}  // namespace
+
+void addPictureFlags(CLI::App& app, PictureFlags& flags) {
+    app.add_option("-o,--out", flags.file, "The picture: .png, or .hdr with linear radiance");
+    app.add_option("--width", flags.width, "Pixels")->capture_default_str()->check(CLI::Range(1, 8192));
+    app.add_option("--height", flags.height, "Pixels")->capture_default_str()->check(CLI::Range(1, 8192));
+    app.add_option("--camera", flags.camera, "Which of the scene's viewpoints, the first is 0")->capture_default_str();
+    app.add_option("--exposure", flags.exposure, "Display value per radiance, of a PNG; else chosen by the picture")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--flat", flags.flat, "One colour a patch, not smooth from vertex to vertex");
+    app.add_option("--antialias", flags.antialias, "Samples along each edge of a pixel that shows an edge; 1: off")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 32));
+}
+
+void requireCamera(const PictureFlags& flags, const Scene& scene) {
+    if (flags.camera > 0 && flags.camera >= scene.cameras.size())
+        throw Error(scene.file + ": found " + std::to_string(scene.cameras.size()) + " viewpoints, and --camera " +
+                    std::to_string(flags.camera) + " (the first is 0)");
+}
+
+RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution) {
+    const TracedScene scene(input.geometry, scatteringsOf(input.scene));
+    const PatchShading shading =
+        flags.flat ? PatchShading(solution.radiosity) : PatchShading(*input.mesh, input.geometry, solution.radiosity);
+    PictureOptions options;
+    options.samplesPerEdge = flags.antialias;
+    PictureReport report;
+    RenderPicture picture;
+    picture.radiance = drawPicture(scene, shading, frameOf(flags, input.scene), options, &report);
+    char text[200];
+    std::snprintf(text, sizeof text, "picture: %zu rays, %zu gathers, %zu of %zu pixels sampled more than once, %.3g s",
+                  report.rays, report.gathers, report.sampledMore, picture.radiance.data().size(), report.seconds);
+    picture.summary = text;
+    return picture;
+}
+
+RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std::size_t samples) {
+    const Stopwatch watch;
+    const TracedScene scene(input.geometry, scatteringsOf(input.scene));
+    ProgressBar bar("path tracing", static_cast<double>(tilesOf(flags.width, flags.height)), "tiles");
+    RenderPicture picture;
+    picture.radiance = pathTracePicture(scene, frameOf(flags, input.scene), samples,
+                                        [&](std::size_t tiles) { bar.show(static_cast<double>(tiles)); });
+    char text[200];
+    std::snprintf(text, sizeof text, "picture: path tracing, %zu paths a pixel, %zu rays, %.3g s", samples,
+                  scene.rays(), watch.seconds());
+    picture.summary = text;
+    return picture;
+}
+
+void writePicture(const PictureFlags& flags, const Image& radiance) {
+    if (std::filesystem::path(flags.file).extension() == ".hdr") return writeImage(flags.file, radiance);
+    const float exposure = flags.exposure > 0.0 ? static_cast<float>(flags.exposure) : autoExposure(radiance);
+    writeImage(flags.file, toneMap(radiance, exposure));
+}
+
+}  // namespace radlab

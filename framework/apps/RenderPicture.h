@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "apps/RenderSolution.h"
+#include "base/Image.h"
+
+namespace radlab {
+
+/// How a program was told to draw its picture.
+struct PictureFlags {
+    std::string file;  ///< empty: none
+    std::size_t camera = 0;
+    int width = 800, height = 800;
+    bool flat = false;
+    int antialias = 4;
+    double exposure = 0.0;  ///< 0: chosen by the picture
+};
+
+/// Adds --out, --width, --height, --camera, --exposure, --flat and --antialias to a program's flags.
+void addPictureFlags(CLI::App& app, PictureFlags& flags);
+
+/// Errors: the scene has no such camera.
+void requireCamera(const PictureFlags& flags, const Scene& scene);
+
+/// A linear picture and how it was made, for the user in a line.
+struct RenderPicture {
+    Image radiance;
+    std::string summary;
+};
+
+/// The picture of solved radiosities.
+RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution);
+
+/// The picture by so many random walks a pixel, with a progress bar.
+RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std::size_t samples);
+
+/// Writes a picture, tone mapped unless its file is one of radiances (.hdr).
+void writePicture(const PictureFlags& flags, const Image& radiance);
+
+}  // namespace radlab

@@ -1,0 +1,58 @@
+#include "apps/RenderSolution.h"
+
+#include "apps/FormFactorRun.h"
+#include "base/ProgressBar.h"
+#include "base/Stopwatch.h"
+#include "engine/PathTracer.h"
+
+namespace radlab {
+
+using namespace engine;
+
+namespace {
+
+// What passes through a pane it does not reflect.
+Surfaces surfacesOf(const SceneInput& input) {
+    Surfaces surfaces = engine::surfacesOf(*input.mesh);
+    const std::vector<Scattering> scatterings = scatteringsOf(input.scene);
+    for (std::size_t i = 0; i < surfaces.reflectance.size(); ++i)
+        surfaces.reflectance[i] = scatterings[input.geometry.faceOf[i]].diffuse;
+    return surfaces;
+}
+
+}  // namespace
+
+RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptions& options) {
+    FormFactorReport factors;
+    FormFactorMatrix matrix = runFormFactors(input, options, factors);
+    if (factors.method == Method::polygon || factors.method == Method::hemisphere) makeReciprocal(matrix);
+    const Stopwatch watch;
+    RenderSolution solution;
+    solution.surfaces = surfacesOf(input);
+    SolverOptions solving;
+    solving.channels = input.effects.channels();
+    SolverReport solver;
+    solution.radiosity = solveRadiosity(matrix, solution.surfaces, solving, &solver);
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "form factors: %s, %zu rays, %.3g s\nradiosities: %d of 3 channels solved, %zu iterations, %.3g s",
+                  nameOf(factors.method).c_str(), factors.rays, factors.seconds, solver.channels, solver.iterations,
+                  watch.seconds());
+    solution.summary = text;
+    return solution;
+}
+
+RenderSolution solveByPaths(const SceneInput& input, std::size_t samples) {
+    const Stopwatch watch;
+    ProgressBar bar("path tracing", static_cast<double>(input.geometry.patches.size()), "patches");
+    PathRadiosityOptions options;
+    options.samples = samples;
+    options.progress = [&](std::size_t patches) { bar.show(static_cast<double>(patches)); };
+    const PathRadiosity found = pathTraceRadiosity(TracedScene(input.geometry, scatteringsOf(input.scene)), options);
+    char text[200];
+    std::snprintf(text, sizeof text, "radiosities: path tracing, %zu paths a patch, %zu rays, %.3g s", found.samples,
+                  found.rays, watch.seconds());
+    return {surfacesOf(input), found.radiosity, found.standardError, text};
+}
+
+}  // namespace radlab
