@@ -34,6 +34,9 @@ case $claim in
         run "$project/resources/scenes/furnace.x3d" -o F.csv --method exakt
         exits 2
         says err "'exakt', expected one of point, polygon, exact"
+        run "$project/resources/scenes/furnace.x3d" -o F.csv --method hemicube --size 65
+        exits 2
+        says err 'found 65, expected an even number from 8 to 4096'
         run absent.x3d -o F.csv
         exits 2
         says err 'absent.x3d: '
@@ -52,6 +55,9 @@ case $claim in
         says out 'method visibility'
         says out 'reciprocity holds within'
         says out 'both laws enforced'
+        run box.xml -o F.npy --method hemicube --size 64
+        exits 0
+        says out 'method hemicube'
         [ "$(head -c 6 F.npy | tail -c 5)" = NUMPY ] || wrong "no NumPy file"
         ;;
     *) wrong "no such claim" ;;

@@ -1,10 +1,13 @@
 // How fast the engine finds form factors and radiosities.
 
-#include <memory>
+#include <cmath>
 
 #include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include "engine/FormFactors.h"
+#include "engine/Hemicubes.h"
 #include "engine/Radiosity.h"
 #include "scene/X3dReader.h"
 
@@ -40,6 +43,39 @@ FormFactorOptions with(Method method, double tolerance, std::size_t rays = 0) {
     return options;
 }
 
+// The size of the patches that cuts the Cornell box with blocks into about the wanted number.
+float sizeFor(double patches) {
+    const Setting coarse("cornell_2.x3d", 100.0f);
+    double area = 0.0;
+    for (const Polygon& patch : coarse.geometry.patches) area += patch.area;
+    return static_cast<float>(std::sqrt(area / patches));
+}
+
+// A batch of rows, from patches all over the scene.
+void hemicubeRows(benchmark::State& state, std::size_t threads) {
+    constexpr std::size_t batch = 64;
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const Setting setting("cornell_2.x3d", sizeFor(static_cast<double>(state.range(0))));
+    const std::size_t count = setting.geometry.patches.size();
+    const Hemicubes hemicubes(setting.geometry.patches, static_cast<int>(state.range(1)));
+    std::vector<double> rows(batch * count);
+    std::size_t next = 0;
+    for (auto _ : state) {
+        tbb::parallel_for(std::size_t{0}, batch,
+                          [&](std::size_t i) { hemicubes.row((next + 101 * i) % count, &rows[i * count]); });
+        next += 101 * batch;
+        benchmark::DoNotOptimize(rows.data());
+    }
+    state.counters["patches"] = static_cast<double>(count);
+    state.counters["hemicubes/s"] =
+        benchmark::Counter(static_cast<double>(state.iterations() * batch), benchmark::Counter::kIsRate);
+}
+
+void hemicubeSizes(benchmark::internal::Benchmark* measured) {
+    measured->ArgNames({"about", "size"})->Args({5000, 64})->Args({5000, 256})->Args({5000, 512})->Args({20000, 256});
+    measured->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
 void radiosities(benchmark::State& state) {
     const Setting setting("cornell_2.x3d", 20.0f);
     const FormFactorMatrix matrix = formFactors(setting.geometry, with(Method::exact, 1e-4));
@@ -69,4 +105,6 @@ BENCHMARK_CAPTURE(matrices, engine visibility Cornell, "cornell_2.x3d", 45.0f, w
 BENCHMARK_CAPTURE(matrices, engine hemisphere Cornell, "cornell_2.x3d", 45.0f, with(Method::hemisphere, 1e-4))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK_CAPTURE(hemicubeRows, engine hemicubes, std::size_t{1} << 16)->Apply(hemicubeSizes);
+BENCHMARK_CAPTURE(hemicubeRows, engine hemicubes one thread, 1)->Apply(hemicubeSizes);
 BENCHMARK(radiosities)->Name("engine radiosities")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -11,9 +11,10 @@ namespace radlab {
 struct FormFactorFlags {
     std::string method = "auto";
     std::size_t rays = 0;
+    int size = 256;
 };
 
-/// Adds --method and --rays to a program's flags.
+/// Adds --method, --rays and --size to a program's flags.
 void addFormFactorFlags(CLI::App& app, FormFactorFlags& flags);
 
 /// Errors: no such method.

@@ -25,7 +25,7 @@ Surfaces surfacesOf(const SceneInput& input) {
 RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptions& options) {
     FormFactorReport factors;
     FormFactorMatrix matrix = runFormFactors(input, options, factors);
-    if (factors.method == Method::polygon || factors.method == Method::hemisphere) makeReciprocal(matrix);
+    if (!isReciprocal(factors.method)) makeReciprocal(matrix);
     const Stopwatch watch;
     RenderSolution solution;
     solution.surfaces = surfacesOf(input);

@@ -12,7 +12,8 @@ namespace {
 
 using namespace radlab::engine;
 
-constexpr Method methods[] = {Method::point, Method::polygon, Method::exact, Method::hemisphere, Method::visibility};
+constexpr Method methods[] = {Method::point,    Method::polygon,    Method::exact,
+                              Method::hemicube, Method::hemisphere, Method::visibility};
 constexpr Solver solvers[] = {Solver::matrix, Solver::shooting, Solver::links};
 
 // The relative error, absolute where the truth is 0; in brackets where the method is not made for the case.

@@ -12,6 +12,7 @@
 #include "base/Error.h"
 #include "base/Stopwatch.h"
 #include "engine/ExchangeArea.h"
+#include "engine/Hemicubes.h"
 #include "engine/LowDiscrepancy.h"
 #include "engine/PointFormFactor.h"
 #include "engine/Visibility.h"
@@ -25,9 +26,10 @@ struct Named {
     Method method;
 };
 
-constexpr std::array<Named, 6> names = {{{"point", Method::point},
+constexpr std::array<Named, 7> names = {{{"point", Method::point},
                                          {"polygon", Method::polygon},
                                          {"exact", Method::exact},
+                                         {"hemicube", Method::hemicube},
                                          {"hemisphere", Method::hemisphere},
                                          {"visibility", Method::visibility},
                                          {"auto", Method::automatic}}};
@@ -99,6 +101,11 @@ std::size_t fill(FormFactorMatrix& matrix, const Geometry& geometry, Method meth
                     if (i != j) matrix.at(i, j) = pointToPolygon(patches[i].center, patches[i].normal, patches[j]);
             });
             return 0;
+        case Method::hemicube: {
+            const Hemicubes hemicubes(patches, options.hemicubeSize);
+            forAllRows(matrix.size(), options.progress, [&](std::size_t i) { hemicubes.row(i, &matrix.at(i, 0)); });
+            return 0;
+        }
         case Method::hemisphere: {
             const RayScene scene(patches);
             fillHemispheres(matrix, geometry, scene, options);
@@ -130,6 +137,10 @@ Method methodNamed(const std::string& name) {
 
 std::string nameOf(Method method) {
     return std::find_if(names.begin(), names.end(), [=](const Named& one) { return one.method == method; })->name;
+}
+
+bool isReciprocal(Method method) {
+    return method != Method::polygon && method != Method::hemicube && method != Method::hemisphere;
 }
 
 FormFactorMatrix formFactors(const Geometry& geometry, const FormFactorOptions& options, FormFactorReport* report) {

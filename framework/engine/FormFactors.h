@@ -14,6 +14,7 @@ enum class Method {
     point,       ///< centre to centre; wrong where patches are near, sees nothing hidden
     polygon,     ///< from the centre to the whole polygon; sees nothing hidden
     exact,       ///< polygon to polygon, to any tolerance; sees nothing hidden
+    hemicube,    ///< from the centre by pixels of a hemicube; sees what is hidden
     hemisphere,  ///< rays over the hemisphere: error √(F(1-F)/rays) or less; sees what is hidden
     visibility,  ///< exact, times the share that shadow rays find visible
     automatic,   ///< exact where nothing can hide anything, else visibility
@@ -25,12 +26,16 @@ enum class Method {
 Method methodNamed(const std::string& name);
 std::string nameOf(Method method);
 
+/// Whether a method's matrix has Ai·Fij = Aj·Fji by the way it is made; others need makeReciprocal to be solved.
+bool isReciprocal(Method method);
+
 struct FormFactorOptions {
     Method method = Method::automatic;
     bool occlusion = true;  ///< whether anything may hide anything: decides what `automatic` is
     std::size_t rays =
         0;  ///< of `hemisphere` from each patch, 4096 where 0; of `visibility` for each pair that is partly
             ///< hidden, 64 where 0
+    int hemicubeSize = 256;  ///< pixels along the edge of a hemicube: even, 8 to 4096
     double tolerance =
         1e-6;  ///< of the relative error of what is not hidden, for `exact` and `visibility`; 1e-12 or more
     std::function<void(std::size_t rows)>
@@ -48,8 +53,9 @@ struct FormFactorReport {
 ///
 /// The same to the bit for any number of threads.
 ///
-/// @cost point, polygon, exact, visibility: a function of pairs; hemisphere: rays from each patch. On all cores.
-/// Errors: more memory than there is.
+/// @cost point, polygon, exact, visibility: a function of pairs; hemicube, hemisphere: pictures or rays from each patch.
+///       On all cores.
+/// Errors: more memory than there is; a hemicube size out of its range.
 FormFactorMatrix formFactors(const Geometry& geometry, const FormFactorOptions& options,
                              FormFactorReport* report = nullptr);
 

@@ -159,7 +159,7 @@ TEST_CASE("patches without area exchange nothing and break nothing") {
     sides.push_back(Polygon({Point(.5, .5, .2), Point(.6, .5, .2), Point(.7, .5, .2)}));
     sides.push_back(Polygon({Point(.5, .5, .5), Point(.5, .5, .5), Point(.5, .5, .5)}));
     for (const Method method :
-         {Method::point, Method::polygon, Method::exact, Method::hemisphere, Method::visibility}) {
+         {Method::point, Method::polygon, Method::exact, Method::hemicube, Method::hemisphere, Method::visibility}) {
         CAPTURE(nameOf(method));
         const FormFactorMatrix matrix = matrixOf(geometryOfFaces(sides), method);
         for (std::size_t i = 0; i < matrix.size(); ++i)
@@ -172,7 +172,7 @@ TEST_CASE("patches without area exchange nothing and break nothing") {
 }
 
 TEST_CASE("methods have names, and an unknown one is told those that there are") {
-    for (const char* name : {"point", "polygon", "exact", "hemisphere", "visibility", "auto"})
+    for (const char* name : {"point", "polygon", "exact", "hemicube", "hemisphere", "visibility", "auto"})
         CHECK(nameOf(methodNamed(name)) == name);
     CHECK_THROWS_WITH_AS(methodNamed("exakt"), doctest::Contains("'exakt', expected one of point, polygon"), Error);
 }

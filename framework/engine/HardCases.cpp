@@ -193,6 +193,16 @@ const std::vector<HardCase>& hardCases() {
     return cases;
 }
 
+namespace {
+
+// Of n pixels under a square, at most 2√n + 1 are counted too many or too few; those above have the largest share.
+double hemicubeError(double truth) {
+    const double size = FormFactorOptions{}.hemicubeSize, pixel = 4.0 / (std::numbers::pi * size * size);
+    return 2.0 * std::sqrt(truth * pixel) + pixel;
+}
+
+}  // namespace
+
 double allowedError(const HardCase& hard, Method method, std::size_t rays) {
     const auto count = static_cast<double>(rays);
     switch (method) {
@@ -200,6 +210,9 @@ double allowedError(const HardCase& hard, Method method, std::size_t rays) {
         case Method::polygon:
             return hard.apart || (hard.truth == 0.0 && !hard.hidden) ? 1e-3 * hard.truth
                                                                      : std::numeric_limits<double>::infinity();
+        case Method::hemicube:
+            if (hard.truth == 0.0) return 0.0;
+            return hard.apart ? 1e-3 * hard.truth + hemicubeError(hard.truth) : std::numeric_limits<double>::infinity();
         case Method::hemisphere:
             if (hard.coincident) return std::numeric_limits<double>::infinity();
             return 4.0 * std::sqrt(hard.truth * (1.0 - hard.truth) / count) + 4.0 / count;

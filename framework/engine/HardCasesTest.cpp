@@ -11,8 +11,8 @@ TEST_CASE("hard cases: every method gives a form factor, within the error that i
     constexpr std::size_t rays = 4096;
     CHECK(hardCases().size() >= 60);
     for (const HardCase& hard : hardCases())
-        for (const Method method :
-             {Method::point, Method::polygon, Method::exact, Method::hemisphere, Method::visibility}) {
+        for (const Method method : {Method::point, Method::polygon, Method::exact, Method::hemicube, Method::hemisphere,
+                                    Method::visibility}) {
             CAPTURE(hard.what);
             CAPTURE(nameOf(method));
             const double found = formFactorOf(hard, method, rays);
