@@ -26,9 +26,10 @@ constexpr std::array<Exact, 5> exact{{{1e-12, 9.7e-7, 3.3e-4},
 constexpr double point = 1.5e-8, polygon = 2.6e-7;                 // for a pair, both ways
 constexpr double shaft = 4e-8, shaftRay = 6e-8, treeRay = 1.3e-7;  // for a pair; for a shadow ray
 constexpr double hemisphereRay = 1.3e-7;
-constexpr double pass = 6.3e-10;                     // for an entry of the matrix
-constexpr double cameraRay = 7e-8, pixelOut = 2e-7;  // to find a point; to tone map and write it
-constexpr double smoothPatch = 2e-7;                 // to interpolate from patches to vertices
+constexpr double hemicubePatch = 4.8e-8, hemicubePixel = 4e-9;  // for each patch drawn into one; of size² pixels
+constexpr double pass = 6.3e-10;                                // for an entry of the matrix
+constexpr double cameraRay = 7e-8, pixelOut = 2e-7;             // to find a point; to tone map and write it
+constexpr double smoothPatch = 2e-7;                            // to interpolate from patches to vertices
 
 }  // namespace unit
 
@@ -112,6 +113,10 @@ double formFactorSeconds(const Work& work, bool occlusion) {
     switch (method) {
         case Method::point: return work.facing * unit::point;
         case Method::polygon: return work.facing * unit::polygon;
+        case Method::hemicube: {
+            const double size = work.options.hemicubeSize;
+            return patches * (patches * unit::hemicubePatch + size * size * unit::hemicubePixel);
+        }
         case Method::hemisphere: return patches * (rays > 0.0 ? rays : hemisphereRays) * unit::hemisphereRay;
         case Method::visibility: {
             const double ray = work.manyFaces ? unit::treeRay : unit::shaftRay;

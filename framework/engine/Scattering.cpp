@@ -42,6 +42,17 @@ std::vector<Scattering> scatteringsOf(const Scene& scene) {
     return scatterings;
 }
 
+Surfaces surfacesOf(const Scene& scene, const PatchMesh& mesh) {
+    const std::vector<Scattering> scatterings = scatteringsOf(scene);
+    Surfaces surfaces;
+    for (const int face : mesh.faceOf) {
+        const Scattering& scattering = scatterings[static_cast<std::size_t>(face)];
+        surfaces.emission.push_back(scattering.emission);
+        surfaces.reflectance.push_back(scattering.diffuse);
+    }
+    return surfaces;
+}
+
 Point cosineDirection(const Point& normal, double u, double v) { return around(normal, std::sqrt(1.0 - u), v); }
 
 Point mirrored(const Point& direction, const Point& normal) {

@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "course/PatchMesh.h"
 #include "engine/Polygon.h"
+#include "engine/Radiosity.h"
 #include "scene/Scene.h"
 
 namespace radlab::engine {
@@ -31,6 +33,11 @@ Scattering scatteringOf(const Material& material);
 
 /// The scattering of each face of a scene.
 std::vector<Scattering> scatteringsOf(const Scene& scene);
+
+/// The surfaces of a mesh's patches: what passes straight on is not reflected.
+///
+/// @pre the mesh was cut from this scene
+Surfaces surfacesOf(const Scene& scene, const PatchMesh& mesh);
 
 /// The larger of the three channels.
 inline double largest(const Point& color) { return std::max({color.r, color.g, color.b}); }
