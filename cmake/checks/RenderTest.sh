@@ -68,6 +68,23 @@ case $claim in
         says out ', 0 gathers'
         if command -v ldd >/dev/null && ldd "$program" | grep -qE 'libOSMesa|libEGL|libGL'; then wrong "linked with OpenGL"; fi
         ;;
+    "an error asked for is reached, and links do without form factors of pairs")
+        run "$project/resources/scenes/cornell_2.x3d" --error 0.05 --csv box.csv --width 64 --height 64 -o box.png
+        exits 0
+        says out 'chosen: '
+        awk '/^estimated error: / { found = $3 <= 5 } END { exit !found }' out || wrong "error: $(cat out)"
+        [ "$(grep -vc '^#' box.csv)" -gt 100 ] || wrong "no patches: $(cat box.csv)"
+        run "$project/resources/scenes/cornell_2.x3d" --method links --threshold 1e-3 --csv links.csv
+        exits 0
+        says out ' links in '
+        run "$project/resources/scenes/mirror.x3d" --error 0.05 --csv none.csv
+        exits 2
+        says err '--force specular=off'
+        run "$project/resources/scenes/cornell_2.x3d" --error 0.05 --method exact --csv none.csv
+        exits 2
+        says err 'expected none with it'
+        [ ! -e none.csv ] || wrong "left behind: none.csv"
+        ;;
     "what is wrong is said before any work, with exit code 2, and leaves no file")
         run "$project/resources/scenes/furnace.x3d"
         exits 2

@@ -7,6 +7,7 @@
 #include "apps/FormFactorRun.h"
 #include "apps/RenderPicture.h"
 #include "apps/RenderTable.h"
+#include "apps/RenderToError.h"
 #include "base/ImageFile.h"
 #include "base/Warning.h"
 #include "engine/Scattering.h"
@@ -21,15 +22,20 @@ struct Flags {
     PictureFlags picture;
     std::string table;
     std::size_t samples = 0;
+    double threshold = 1e-4, error = 0.0;
 
     bool byPaths() const { return formFactors.method == "path"; }
+    bool byLinks() const { return formFactors.method == "links"; }
 };
 
 constexpr std::size_t usualSamples = 64;
 
 // What is wrong with the flags, before any work.
 void check(const Flags& flags) {
-    if (!flags.byPaths()) optionsOf(flags.formFactors);
+    if (!flags.byPaths() && !flags.byLinks()) optionsOf(flags.formFactors);
+    if (flags.error > 0.0 && flags.formFactors.method != "auto")
+        throw Error("--error: found --method " + flags.formFactors.method +
+                    ", expected none with it, as the way is chosen by the error");
     if (flags.samples > 0 && !flags.byPaths())
         throw Error("--samples: found method '" + flags.formFactors.method + "', expected --method path with it");
     if (!flags.picture.file.empty()) requireImageFile(flags.picture.file);
@@ -48,9 +54,15 @@ void warnOfWhatIsLeftOut(const SceneInput& input) {
              "(--method path has it)");
 }
 
-void renderByFormFactors(const Flags& flags, const SceneInput& input) {
+RenderSolution solve(const Flags& flags, SceneInput& input) {
+    if (flags.error > 0.0) return solveToError(input, flags.error, flags.scene.patchSize);
     warnOfWhatIsLeftOut(input);
-    const RenderSolution solution = solveByFormFactors(input, optionsOf(flags.formFactors));
+    if (flags.byLinks()) return solveByLinks(input, flags.threshold);
+    return solveByFormFactors(input, optionsOf(flags.formFactors));
+}
+
+void renderRadiosities(const Flags& flags, SceneInput& input) {
+    const RenderSolution solution = solve(flags, input);
     std::cout << solution.summary << std::endl;
     if (!flags.table.empty()) writeTable(flags.table, input, solution);
     if (flags.picture.file.empty()) return;
@@ -74,7 +86,7 @@ void renderByPaths(const Flags& flags, const SceneInput& input) {
 
 int render(const Flags& flags) {
     check(flags);
-    const SceneInput input = readSceneInput(flags.scene);
+    SceneInput input = readSceneInput(flags.scene);
     requireCamera(flags.picture, input.scene);
     std::cout << input.summary << '\n' << describe(input.effects, Effect::occlusion) << std::endl;
     if (std::none_of(input.mesh->patches.begin(), input.mesh->patches.end(),
@@ -83,7 +95,7 @@ int render(const Flags& flags) {
     if (flags.byPaths())
         renderByPaths(flags, input);
     else
-        renderByFormFactors(flags, input);
+        renderRadiosities(flags, input);
     for (const std::string& file : {flags.picture.file, flags.table})
         if (!file.empty()) std::cout << "written: " << file << '\n';
     return 0;
@@ -96,7 +108,14 @@ void describe(CLI::App& app, Flags& flags) {
                    "A table of the patches: centre, normal, area, reflectance, emission, radiosity");
     addFormFactorFlags(app, flags.formFactors);
     CLI::Option* method = app.get_option("--method");
-    method->description(method->get_description() + "; or path: no form factors but random paths");
+    method->description(method->get_description() +
+                        "; or links between clusters of patches; or path: no form factors but random paths");
+    app.add_option("--error", flags.error,
+                   "The relative error of the radiosities to reach, 0.01 for 1 %: way and patches are chosen by it")
+        ->check(CLI::Range(1e-4, 1.0));
+    app.add_option("--threshold", flags.threshold, "Of --method links: a link that carries more of the light is split")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-12, 1.0));
     app.add_option("--samples", flags.samples,
                    "Of --method path: paths from each patch of the table and each pixel of the picture; else 64")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 32));

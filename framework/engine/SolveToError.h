@@ -8,6 +8,9 @@
 
 namespace radlab::engine {
 
+/// How many solutions are tried, at most.
+constexpr int mostTries = 6;
+
 /// A solution that is as accurate as it was asked to be.
 struct AccurateSolution {
     double patchSize = 0.0;
@@ -37,7 +40,7 @@ struct ErrorGoal {
 /// 1.6 at most, and count that much more.
 ///
 /// @pre    no face of the scene is specular or transparent
-/// @return the last solution tried, six at most
+/// @return the last solution tried, mostTries at most
 /// @cost   a few solutions, and estimates that cost as much as a coarse one
 /// Errors: those of the Mesher and the solvers.
 AccurateSolution solveToError(const Scene& scene, const Effects& effects, const ErrorGoal& goal);

@@ -1,0 +1,70 @@
+#include "apps/RenderToError.h"
+
+#include "base/ProgressBar.h"
+#include "base/Warning.h"
+#include "engine/HierarchicalRadiosity.h"
+#include "engine/Scattering.h"
+#include "engine/SolveToError.h"
+
+namespace radlab {
+
+using namespace engine;
+
+namespace {
+
+// 0.0123 as "1.23 %".
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %%", 100.0 * share);
+    return text;
+}
+
+std::string describe(const AccurateSolution& solution, double asked, bool meshChosen) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.3g s", solution.seconds);
+    return "chosen: " + engine::describe(solution.way) + "; " + std::to_string(solution.geometry.patches.size()) +
+           " patches\nestimated error: " + percent(solution.error) + ", asked for: " + percent(asked) + " (patches " +
+           percent(solution.meshError) + (meshChosen ? "" : ", not counted as their size was given") + ", solution " +
+           percent(solution.solverError) + ", times a margin); " + seconds;
+}
+
+}  // namespace
+
+RenderSolution solveToError(SceneInput& input, double error, double patchSize) {
+    for (const Effect effect : {Effect::specular, Effect::transparency})
+        if (input.effects.has(effect))
+            throw Error(input.scene.file + ": --error: found " + radlab::describe(input.effects, effect) +
+                        "; errors are estimated for matt and opaque faces only: expected --method path, or --force " +
+                        nameOf(effect) + "=off");
+    ErrorGoal goal;
+    goal.error = error;
+    goal.patchSize = patchSize;
+    ProgressBar bar("solving", mostTries, "tries");
+    double tries = 0.0;
+    goal.progress = [&](const std::string& what) { bar.show(tries += 0.5, what); };
+    AccurateSolution solution = engine::solveToError(input.scene, input.effects, goal);
+    if (!solution.reached)
+        warn(input.scene.file + ": an error of " + percent(error) + " was asked for, and " + percent(solution.error) +
+             " was reached: expected a larger --error, or smaller patches by --patch-size");
+    RenderSolution made{solution.surfaces, solution.radiosity, {}, describe(solution, error, patchSize == 0.0)};
+    input.mesh = std::move(solution.mesh);
+    input.geometry = std::move(solution.geometry);
+    return made;
+}
+
+RenderSolution solveByLinks(const SceneInput& input, double threshold) {
+    HierarchicalOptions options;
+    options.threshold = threshold;
+    options.occlusion = input.effects.has(Effect::occlusion);
+    HierarchicalReport report;
+    RenderSolution made;
+    made.surfaces = surfacesOf(input.scene, *input.mesh);
+    made.radiosity = solveHierarchical(input.geometry, made.surfaces, options, &report);
+    char text[200];
+    std::snprintf(text, sizeof text, "radiosities: %zu links in %zu rounds, %zu rays, %d of 3 channels solved, %.3g s",
+                  report.links, report.rounds, report.rays, report.channels, report.seconds);
+    made.summary = text;
+    return made;
+}
+
+}  // namespace radlab
