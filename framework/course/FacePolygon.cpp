@@ -15,24 +15,33 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 
 double straightTolerance(const Polygon2& polygon) { return 1e-9 * std::abs(signedArea(polygon)); }
 
-bool inside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+bool inside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, double tolerance) {
+    return turn(a, b, p) >= -tolerance && turn(b, c, p) >= -tolerance && turn(c, a, p) >= -tolerance;
 }
 
-bool isEar(const Polygon2& polygon, std::size_t i) {
+// Whether a triangle may be cut off at a corner; others that lie on its edges within a tolerance forbid it.
+bool isEar(const Polygon2& polygon, std::size_t i, double tolerance) {
     const std::size_t count = polygon.size();
     const glm::dvec2 &a = polygon[(i + count - 1) % count], &b = polygon[i], &c = polygon[(i + 1) % count];
     if (turn(a, b, c) <= 0.0) return false;
-    return std::none_of(polygon.begin(), polygon.end(),
-                        [&](const glm::dvec2& p) { return p != a && p != b && p != c && inside(p, a, b, c); });
+    return std::none_of(polygon.begin(), polygon.end(), [&](const glm::dvec2& p) {
+        return p != a && p != b && p != c && inside(p, a, b, c, tolerance);
+    });
+}
+
+// An ear that is one beyond rounding, else one within it, else any: only straight or touching corners are left.
+std::size_t findEar(const Polygon2& polygon, double tolerance) {
+    for (const double slack : {tolerance, 0.0})
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            if (isEar(polygon, i, slack)) return i;
+    return 0;
 }
 
 std::vector<Polygon2> earTriangles(Polygon2 rest) {
+    const double tolerance = straightTolerance(rest);
     std::vector<Polygon2> triangles;
     while (rest.size() > 3) {
-        std::size_t ear = 0;
-        while (ear < rest.size() && !isEar(rest, ear)) ++ear;
-        if (ear == rest.size()) ear = 0;  // only straight or touching corners are left: any will do
+        const std::size_t ear = findEar(rest, tolerance);
         const std::size_t count = rest.size();
         triangles.push_back({rest[(ear + count - 1) % count], rest[ear], rest[(ear + 1) % count]});
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
