@@ -68,7 +68,7 @@ case $claim in
         says out ', 0 gathers'
         if command -v ldd >/dev/null && ldd "$program" | grep -qE 'libOSMesa|libEGL|libGL'; then wrong "linked with OpenGL"; fi
         ;;
-    "an error asked for is reached, and links do without form factors of pairs")
+    "an error asked for is reached; links and shots do without a matrix")
         run "$project/resources/scenes/cornell_2.x3d" --error 0.05 --csv box.csv --width 64 --height 64 -o box.png
         exits 0
         says out 'chosen: '
@@ -77,6 +77,12 @@ case $claim in
         run "$project/resources/scenes/cornell_2.x3d" --method links --threshold 1e-3 --csv links.csv
         exits 0
         says out ' links in '
+        run "$project/resources/scenes/cornell_2.x3d" --patch-size 100 --shots 24 --method hemicube --size 32 --csv shots.csv
+        exits 0
+        says out '24 shots by hemicube'
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.5 --unshot 1e-6 --csv shots.csv
+        exits 0
+        awk -F, 'NR > 2 && ($16 < 1.999 || $16 > 2.001) { exit 1 }' shots.csv || wrong "furnace: $(cat shots.csv)"
         run "$project/resources/scenes/mirror.x3d" --error 0.05 --csv none.csv
         exits 2
         says err '--force specular=off'

@@ -10,6 +10,7 @@
 #include "display/ToneMap.h"
 #include "engine/PathTracer.h"
 #include "engine/Picture.h"
+#include "engine/Shooting.h"
 
 namespace radlab {
 
@@ -49,8 +50,10 @@ void requireCamera(const PictureFlags& flags, const Scene& scene) {
 
 RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution) {
     const TracedScene scene(input.geometry, scatteringsOf(input.scene));
+    std::vector<Point> radiosity = solution.radiosity;
+    addAmbient(radiosity, solution.surfaces, solution.ambient);
     const PatchShading shading =
-        flags.flat ? PatchShading(solution.radiosity) : PatchShading(*input.mesh, input.geometry, solution.radiosity);
+        flags.flat ? PatchShading(radiosity) : PatchShading(*input.mesh, input.geometry, radiosity);
     PictureOptions options;
     options.samplesPerEdge = flags.antialias;
     PictureReport report;

@@ -52,7 +52,7 @@ RenderSolution solveByPaths(const SceneInput& input, std::size_t samples) {
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: path tracing, %zu paths a patch, %zu rays, %.3g s", found.samples,
                   found.rays, watch.seconds());
-    return {surfacesOf(input), found.radiosity, found.standardError, text};
+    return {surfacesOf(input), found.radiosity, found.standardError, Point(0.0), text};
 }
 
 }  // namespace radlab

@@ -14,7 +14,8 @@ struct RenderSolution {
     engine::Surfaces surfaces;
     std::vector<engine::Point> radiosity;      ///< W/m² per channel
     std::vector<engine::Point> standardError;  ///< of each radiosity; empty where form factors were used
-    std::string summary;                       ///< for the user, in lines
+    engine::Point ambient{0.0};  ///< W/m² that pictures add to what falls on every patch: light still under way
+    std::string summary;         ///< for the user, in lines
 };
 
 /// Solves a scene by form factors between its patches.

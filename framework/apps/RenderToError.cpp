@@ -2,8 +2,6 @@
 
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
-#include "engine/HierarchicalRadiosity.h"
-#include "engine/Scattering.h"
 #include "engine/SolveToError.h"
 
 namespace radlab {
@@ -46,24 +44,10 @@ RenderSolution solveToError(SceneInput& input, double error, double patchSize) {
     if (!solution.reached)
         warn(input.scene.file + ": an error of " + percent(error) + " was asked for, and " + percent(solution.error) +
              " was reached: expected a larger --error, or smaller patches by --patch-size");
-    RenderSolution made{solution.surfaces, solution.radiosity, {}, describe(solution, error, patchSize == 0.0)};
+    RenderSolution made{
+        solution.surfaces, solution.radiosity, {}, Point(0.0), describe(solution, error, patchSize == 0.0)};
     input.mesh = std::move(solution.mesh);
     input.geometry = std::move(solution.geometry);
-    return made;
-}
-
-RenderSolution solveByLinks(const SceneInput& input, double threshold) {
-    HierarchicalOptions options;
-    options.threshold = threshold;
-    options.occlusion = input.effects.has(Effect::occlusion);
-    HierarchicalReport report;
-    RenderSolution made;
-    made.surfaces = surfacesOf(input.scene, *input.mesh);
-    made.radiosity = solveHierarchical(input.geometry, made.surfaces, options, &report);
-    char text[200];
-    std::snprintf(text, sizeof text, "radiosities: %zu links in %zu rounds, %zu rays, %d of 3 channels solved, %.3g s",
-                  report.links, report.rounds, report.rays, report.channels, report.seconds);
-    made.summary = text;
     return made;
 }
 

@@ -11,9 +11,4 @@ namespace radlab {
 /// Errors: a scene that mirrors or is transparent, for which errors are not estimated.
 RenderSolution solveToError(SceneInput& input, double error, double patchSize);
 
-/// Solves a scene by links between clusters of patches, with a progress line.
-///
-/// @param threshold a link that carries a larger share of the light is refined
-RenderSolution solveByLinks(const SceneInput& input, double threshold);
-
 }  // namespace radlab

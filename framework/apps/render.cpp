@@ -8,6 +8,7 @@
 #include "apps/RenderPicture.h"
 #include "apps/RenderTable.h"
 #include "apps/RenderToError.h"
+#include "apps/RenderWays.h"
 #include "base/ImageFile.h"
 #include "base/Warning.h"
 #include "engine/Scattering.h"
@@ -22,6 +23,7 @@ struct Flags {
     PictureFlags picture;
     std::string table;
     std::size_t samples = 0;
+    ShootingFlags shooting;
     double threshold = 1e-4, error = 0.0;
 
     bool byPaths() const { return formFactors.method == "path"; }
@@ -33,6 +35,8 @@ constexpr std::size_t usualSamples = 64;
 // What is wrong with the flags, before any work.
 void check(const Flags& flags) {
     if (!flags.byPaths() && !flags.byLinks()) optionsOf(flags.formFactors);
+    if (flags.shooting.given() && (flags.byPaths() || flags.byLinks() || flags.error > 0.0))
+        throw Error("--unshot, --shots: found --error or a method without form factors, expected neither with them");
     if (flags.error > 0.0 && flags.formFactors.method != "auto")
         throw Error("--error: found --method " + flags.formFactors.method +
                     ", expected none with it, as the way is chosen by the error");
@@ -58,6 +62,7 @@ RenderSolution solve(const Flags& flags, SceneInput& input) {
     if (flags.error > 0.0) return solveToError(input, flags.error, flags.scene.patchSize);
     warnOfWhatIsLeftOut(input);
     if (flags.byLinks()) return solveByLinks(input, flags.threshold);
+    if (flags.shooting.given()) return solveByShooting(input, optionsOf(flags.formFactors), flags.shooting);
     return solveByFormFactors(input, optionsOf(flags.formFactors));
 }
 
@@ -113,6 +118,7 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--error", flags.error,
                    "The relative error of the radiosities to reach, 0.01 for 1 %: way and patches are chosen by it")
         ->check(CLI::Range(1e-4, 1.0));
+    addShootingFlags(app, flags.shooting);
     app.add_option("--threshold", flags.threshold, "Of --method links: a link that carries more of the light is split")
         ->capture_default_str()
         ->check(CLI::Range(1e-12, 1.0));

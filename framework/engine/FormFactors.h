@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "engine/FormFactorMatrix.h"
 #include "engine/Geometry.h"
+#include "engine/Parallel.h"
 
 namespace radlab::engine {
 
@@ -37,9 +37,8 @@ struct FormFactorOptions {
             ///< hidden, 64 where 0
     int hemicubeSize = 256;  ///< pixels along the edge of a hemicube: even, 8 to 4096
     double tolerance =
-        1e-6;  ///< of the relative error of what is not hidden, for `exact` and `visibility`; 1e-12 or more
-    std::function<void(std::size_t rows)>
-        progress;  ///< told how many rows are done, now and then, by one thread at a time
+        1e-6;           ///< of the relative error of what is not hidden, for `exact` and `visibility`; 1e-12 or more
+    Progress progress;  ///< counts rows
 };
 
 /// What a matrix was made with.

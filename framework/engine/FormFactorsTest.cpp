@@ -8,7 +8,9 @@
 #include "base/Error.h"
 #include "engine/ClosedFormRoom.h"
 #include "engine/ExchangeArea.h"
+#include "engine/FormFactorRows.h"
 #include "engine/PointFormFactor.h"
+#include "engine/SceneTestHelp.h"
 
 using namespace radlab;
 using namespace radlab::engine;
@@ -195,5 +197,24 @@ TEST_CASE("a coarser tolerance is kept, pair by pair") {
         CAPTURE(tolerance);
         CHECK(worst <= tolerance);
         CHECK(worst > 0.0);
+    }
+}
+
+TEST_CASE("rows on demand are those of the matrix, to the bit, by every method") {
+    const CutScene cut("cornell_2.x3d", 150.0);
+    for (const Method method : {Method::point, Method::polygon, Method::exact, Method::hemicube, Method::hemisphere,
+                                Method::visibility, Method::automatic}) {
+        CAPTURE(nameOf(method));
+        FormFactorOptions options;
+        options.method = method;
+        options.rays = 64;
+        options.hemicubeSize = 32;
+        const FormFactorMatrix matrix = formFactors(cut.geometry, options);
+        const FormFactorRows rows(cut.geometry, options);
+        std::vector<double> row(matrix.size(), -1.0);
+        for (std::size_t i = 0; i < matrix.size(); i += 7) {
+            rows.row(i, row.data());
+            for (std::size_t j = 0; j < matrix.size(); ++j) CHECK(row[j] == matrix.at(i, j));
+        }
     }
 }

@@ -18,6 +18,12 @@ std::vector<Polygon> facesOf(const Scene& scene) {
 
 }  // namespace
 
+std::vector<double> areasOf(const Geometry& geometry) {
+    std::vector<double> areas;
+    for (const Polygon& patch : geometry.patches) areas.push_back(patch.area);
+    return areas;
+}
+
 Geometry geometryOf(const Scene& scene, const PatchMesh& mesh) {
     Geometry geometry;
     geometry.faces = facesOf(scene);

@@ -16,6 +16,9 @@ struct Geometry {
     std::vector<std::size_t> faceOf;  ///< for each patch
 };
 
+/// The areas of the patches.
+std::vector<double> areasOf(const Geometry& geometry);
+
 /// The patches of a mesh and the faces of its scene.
 ///
 /// @pre the mesh was cut from this scene

@@ -6,7 +6,7 @@
 
 #include "base/Error.h"
 #include "engine/ClosedFormRoom.h"
-#include "engine/FormFactors.h"
+#include "engine/FormFactorRows.h"
 #include "engine/HierarchicalRadiosity.h"
 #include "engine/Shooting.h"
 
@@ -177,14 +177,13 @@ std::vector<Point> solved(const HardRoom& hard, Solver solver) {
     FormFactorOptions factors;
     factors.occlusion = hard.occlusion;
     factors.tolerance = 1e-12;
-    const FormFactorMatrix matrix = formFactors(hard.geometry, factors);
-    if (solver == Solver::matrix) return solveRadiosity(matrix, hard.surfaces);
+    if (solver == Solver::matrix) return solveRadiosity(formFactors(hard.geometry, factors), hard.surfaces);
+    const FormFactorRows rows(hard.geometry, factors);
     ShootingOptions options;
     options.unshot = 1e-7;
     options.mostShots = 100'000;
     return shootRadiosity(
-        matrix.areas(), hard.surfaces,
-        [&](std::size_t i, std::vector<double>& row) { std::copy_n(matrix.row(i), row.size(), row.begin()); }, options);
+        areasOf(hard.geometry), hard.surfaces, [&](std::size_t i, double* row) { rows.row(i, row); }, options);
 }
 
 double errorIn(const HardRoom& hard, const std::vector<Point>& found) {

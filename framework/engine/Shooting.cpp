@@ -83,7 +83,7 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
     while (left > options.unshot * shooter.emitted && shots < options.mostShots) {
         const std::vector<std::size_t> turn = shooter.brightest(std::min(atOnce, options.mostShots - shots));
         if (turn.empty()) break;
-        tbb::parallel_for(std::size_t{0}, turn.size(), [&](std::size_t k) { row(turn[k], rows[k]); });
+        tbb::parallel_for(std::size_t{0}, turn.size(), [&](std::size_t k) { row(turn[k], rows[k].data()); });
         for (std::size_t k = 0; k < turn.size(); ++k) shooter.shoot(turn[k], rows[k]);
         shots += turn.size();
         left = shooter.unshotPower();

@@ -21,7 +21,7 @@ struct ShootingReport {
 };
 
 /// Sets the form factors from a patch to all patches; called by several threads at once.
-using RowFunction = std::function<void(std::size_t shooter, std::vector<double>& factors)>;
+using RowFunction = std::function<void(std::size_t shooter, double* factors)>;
 
 /// The radiosity of every patch by progressive refinement: rows are made when they are shot, and none is kept.
 ///

@@ -22,8 +22,8 @@ struct Shot {
     }
 
     RowFunction rows() const {
-        return [this](std::size_t shooter, std::vector<double>& factors) {
-            std::copy(matrix->row(shooter), matrix->row(shooter) + matrix->size(), factors.begin());
+        return [this](std::size_t shooter, double* factors) {
+            std::copy_n(matrix->row(shooter), matrix->size(), factors);
         };
     }
 
@@ -85,7 +85,7 @@ TEST_CASE("shooting gives the same bits for any number of threads") {
 TEST_CASE("light that grows is told instead of followed for ever") {
     const std::vector<double> areas = {1.0, 1.0};
     const Surfaces surfaces{{Point(1.0), Point(0.0)}, {Point(0.9), Point(0.9)}};
-    const RowFunction tooMuch = [](std::size_t shooter, std::vector<double>& factors) {
+    const RowFunction tooMuch = [](std::size_t shooter, double* factors) {
         factors[shooter] = 0.0;
         factors[1 - shooter] = 1.5;
     };

@@ -13,8 +13,8 @@ namespace radlab::engine {
 
 namespace {
 
-constexpr double margin = 1.6;    // by which estimates may be too low
-constexpr double ofSolver = 0.5;  // share of the goal that the solver may use up
+constexpr double margin = 1.6;           // by which estimates may be too low
+constexpr double ofSolver = 0.5;         // share of the goal that the solver may use up
 constexpr double usualVariation = 0.25;  // mesh error times √patches, in a room
 constexpr double mostPatches = 200'000.0;
 

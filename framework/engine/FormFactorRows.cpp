@@ -1,0 +1,73 @@
+#include "engine/FormFactorRows.h"
+
+#include <algorithm>
+
+#include "engine/LowDiscrepancy.h"
+#include "engine/PointFormFactor.h"
+#include "engine/Scattering.h"
+
+namespace radlab::engine {
+
+namespace {
+
+constexpr std::size_t hemisphereRays = 4096, pairRays = 64;
+
+}  // namespace
+
+FormFactorRows::FormFactorRows(const Geometry& shapes, const FormFactorOptions& asked)
+    : geometry(shapes), options(asked) {
+    if (options.method == Method::automatic) options.method = options.occlusion ? Method::visibility : Method::exact;
+    if (options.rays == 0) options.rays = options.method == Method::hemisphere ? hemisphereRays : pairRays;
+    switch (options.method) {
+        case Method::hemicube: hemicubes = std::make_unique<Hemicubes>(geometry.patches, options.hemicubeSize); break;
+        case Method::hemisphere: scene = std::make_unique<RayScene>(geometry.patches); break;
+        case Method::visibility: visibility = std::make_unique<Visibility>(geometry, options.rays); [[fallthrough]];
+        case Method::exact: exchanges = std::make_unique<ExchangeAreas>(geometry.patches, options.tolerance); break;
+        default: break;
+    }
+}
+
+double FormFactorRows::exchange(std::size_t i, std::size_t j) const {
+    const std::vector<Polygon>& patches = geometry.patches;
+    if (options.method == Method::point) return patches[i].area * pointToPoint(patches[i], patches[j]);
+    const double unoccluded = (*exchanges)(i, j);
+    return unoccluded > 0.0 && visibility ? unoccluded * visibility->visibleShare(i, j) : unoccluded;
+}
+
+void FormFactorRows::row(std::size_t from, double* factors) const {
+    if (hemicubes) return hemicubes->row(from, factors);
+    std::fill_n(factors, geometry.patches.size(), 0.0);
+    if (!(geometry.patches[from].area > 0.0)) return;
+    if (scene) return byHemisphere(from, factors);
+    if (options.method == Method::polygon) return byPoints(from, factors);
+    byPairs(from, factors);
+}
+
+void FormFactorRows::byPairs(std::size_t from, double* factors) const {
+    for (std::size_t j = 0; j < geometry.patches.size(); ++j)
+        if (j != from)
+            factors[j] = std::max(exchange(std::min(from, j), std::max(from, j)), 0.0) / geometry.patches[from].area;
+}
+
+void FormFactorRows::byPoints(std::size_t from, double* factors) const {
+    const Polygon& patch = geometry.patches[from];
+    for (std::size_t j = 0; j < geometry.patches.size(); ++j)
+        if (j != from) factors[j] = pointToPolygon(patch.center, patch.normal, geometry.patches[j]);
+}
+
+void FormFactorRows::byHemisphere(std::size_t from, double* factors) const {
+    const Polygon& patch = geometry.patches[from];
+    const AreaSampler sampler(patch);
+    const LowDiscrepancy points(from);
+    for (std::size_t k = 0; k < options.rays; ++k) {
+        const auto at = points.at(k);
+        const Point direction = cosineDirection(patch.normal, at[2], at[3]);
+        const std::size_t hit = scene->firstHit(sampler.at(at[0], at[1]), direction, from);
+        if (hit != RayScene::nothing && glm::dot(direction, geometry.patches[hit].normal) < 0.0) ++factors[hit];
+    }
+    for (std::size_t j = 0; j < geometry.patches.size(); ++j) factors[j] /= static_cast<double>(options.rays);
+}
+
+std::size_t FormFactorRows::rays() const { return scene ? scene->rays() : visibility ? visibility->rays() : 0; }
+
+}  // namespace radlab::engine
