@@ -1,30 +1,17 @@
-// How fast the engine finds form factors and radiosities.
-
-#include <cmath>
+// How fast the engine finds form factors.
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include "apps/EngineBench.h"
 #include "engine/FormFactors.h"
 #include "engine/Hemicubes.h"
-#include "engine/Radiosity.h"
-#include "scene/X3dReader.h"
 
 namespace {
 
 using namespace radlab;
 using namespace radlab::engine;
-
-struct Setting {
-    Setting(const char* scene, float patchSize)
-        : Setting(readX3d(std::string(RADLAB_SOURCE_DIR "/resources/scenes/") + scene), patchSize) {}
-    Setting(const Scene& scene, float size)
-        : mesh(scene.vertices, scene.faces, size, size), geometry(geometryOf(scene, mesh)) {}
-
-    PatchMesh mesh;
-    Geometry geometry;
-};
 
 void matrices(benchmark::State& state, const char* scene, float patchSize, const FormFactorOptions& options) {
     const Setting setting(scene, patchSize);
@@ -41,14 +28,6 @@ FormFactorOptions with(Method method, double tolerance, std::size_t rays = 0) {
     options.tolerance = tolerance;
     options.rays = rays;
     return options;
-}
-
-// The size of the patches that cuts the Cornell box with blocks into about the wanted number.
-float sizeFor(double patches) {
-    const Setting coarse("cornell_2.x3d", 100.0f);
-    double area = 0.0;
-    for (const Polygon& patch : coarse.geometry.patches) area += patch.area;
-    return static_cast<float>(std::sqrt(area / patches));
 }
 
 // A batch of rows, from patches all over the scene.
@@ -76,18 +55,6 @@ void hemicubeSizes(benchmark::internal::Benchmark* measured) {
     measured->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-void radiosities(benchmark::State& state) {
-    const Setting setting("cornell_2.x3d", 20.0f);
-    const FormFactorMatrix matrix = formFactors(setting.geometry, with(Method::exact, 1e-4));
-    Surfaces surfaces = surfacesOf(setting.mesh);
-    for (Point& reflectance : surfaces.reflectance)
-        reflectance *= 0.5;  // what hides others is left out, so rows exceed 1
-    SolverOptions options;
-    options.tolerance = 1e-6;
-    for (auto _ : state) benchmark::DoNotOptimize(solveRadiosity(matrix, surfaces, options));
-    state.counters["patches"] = static_cast<double>(setting.geometry.patches.size());
-}
-
 }  // namespace
 
 BENCHMARK_CAPTURE(matrices, engine exact 1e-4 box, "furnace.x3d", 0.0334f, with(Method::exact, 1e-4))
@@ -107,4 +74,3 @@ BENCHMARK_CAPTURE(matrices, engine hemisphere Cornell, "cornell_2.x3d", 45.0f, w
     ->UseRealTime();
 BENCHMARK_CAPTURE(hemicubeRows, engine hemicubes, std::size_t{1} << 16)->Apply(hemicubeSizes);
 BENCHMARK_CAPTURE(hemicubeRows, engine hemicubes one thread, 1)->Apply(hemicubeSizes);
-BENCHMARK(radiosities)->Name("engine radiosities")->Unit(benchmark::kMillisecond)->UseRealTime();
