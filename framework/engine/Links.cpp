@@ -8,6 +8,8 @@ namespace radlab::engine {
 
 namespace {
 
+constexpr std::size_t gatherRays = 8;  // for each link of a patch: it has many, and their noise evens out
+
 // The links of every node, those of one node together.
 struct Sorted {
     struct End {
@@ -127,7 +129,7 @@ std::vector<Point> Links::gathered(std::vector<Point> radiosity) const {
                 const bool own = up == patch;
                 double exchange = own ? end.exchange : unhidden(patch, end.other);
                 if (exchange > 0.0 && end.share < 1.0)
-                    exchange *= own ? end.share : visibility->visibleShare(patch, end.other);
+                    exchange *= own ? end.share : visibility->visibleShare(patch, end.other, gatherRays);
                 arrived[patch] += exchange / tree.area(patch) * radiosity[end.other];
             }
     });

@@ -42,19 +42,25 @@ bool Blocker::stops(const Point& from, const Point& to) const {
                        [&](const Side& side) { return glm::dot(side.inwards, at) > side.offset; });
 }
 
+// The line between two corners at heights h and k, on different sides of the plane, meets it at the share h / (h - k) of its length.
 Sight Blocker::between(const Polygon& a, const Polygon& b) const {
     const Range ofA = heightsOver(a, center, normal), ofB = heightsOver(b, center, normal);
     const bool apart = (ofA.low > tolerance && ofB.high < -tolerance) || (ofB.low > tolerance && ofA.high < -tolerance);
     if (!apart) return Sight::partly;
+    thread_local std::vector<double> weights, depthsB;
+    weights.clear();
+    for (const Point& from : a.corners)
+        for (const Point& to : b.corners) weights.push_back(height(from) / (height(from) - height(to)));
     bool inside = true;
     for (const Side& side : sides) {
+        depthsB.clear();
+        for (const Point& to : b.corners) depthsB.push_back(glm::dot(side.inwards, to) - side.offset);
         Range depths;
-        for (const Point& from : a.corners)
-            for (const Point& to : b.corners) {
-                const double start = height(from);
-                const Point at = from + start / (start - height(to)) * (to - from);
-                depths.add(glm::dot(side.inwards, at) - side.offset);
-            }
+        const double* weight = weights.data();
+        for (const Point& from : a.corners) {
+            const double depth = glm::dot(side.inwards, from) - side.offset;
+            for (const double depthB : depthsB) depths.add(depth + *weight++ * (depthB - depth));
+        }
         if (depths.high <= tolerance) return Sight::clear;
         inside = inside && depths.low >= 0.0;
     }

@@ -21,16 +21,16 @@ Visibility::Visibility(const Geometry& shapes, std::size_t most, std::uint64_t s
     for (const Polygon& patch : geometry.patches) samplers.emplace_back(patch);
 }
 
-double Visibility::visibleShare(std::size_t first, std::size_t second) const {
+double Visibility::visibleShare(std::size_t first, std::size_t second, std::size_t rays) const {
     if (!shafts) {
         const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
-        return shareByRays(first, second, firstRays,
+        return shareByRays(first, second, rays, firstRays,
                            [&](const Point& from, const Point& to) { return scene->hides(from, to, faceA, faceB); });
     }
     thread_local std::vector<const Blocker*> between;
     const Sight sight = shafts->sight(first, second, between);
     if (sight != Sight::partly) return sight == Sight::clear ? 1.0 : 0.0;
-    return shareByRays(first, second, mostRays, [&](const Point& from, const Point& to) {
+    return shareByRays(first, second, rays, rays, [&](const Point& from, const Point& to) {
         return std::any_of(between.begin(), between.end(),
                            [&](const Blocker* blocker) { return blocker->stops(from, to); });
     });
@@ -42,13 +42,14 @@ Sight Visibility::sight(std::size_t first, std::size_t second) const {
 }
 
 template <class Stops>
-double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t deciding, const Stops& stops) const {
+double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t most, std::size_t deciding,
+                               const Stops& stops) const {
     const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 1.0;
     const LowDiscrepancy points(firstKey + first * geometry.patches.size() + second);
     double all = 0.0, visible = 0.0;
     std::size_t cast = 0;
-    for (std::size_t k = 0; k < 4 * mostRays && cast < mostRays; ++k) {
+    for (std::size_t k = 0; k < 4 * most && cast < most; ++k) {
         const auto at = points.at(k);
         const Point from = samplers[first].at(at[0], at[1]), to = samplers[second].at(at[2], at[3]);
         const Point between = to - from;

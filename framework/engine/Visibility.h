@@ -27,7 +27,9 @@ public:
     ///
     /// @cost pairs that see everything or nothing: no ray; others: `most` rays, each against the few faces between them;
     ///       with many faces 16 rays for every pair, and `most` where these disagree
-    double visibleShare(std::size_t first, std::size_t second) const;
+    double visibleShare(std::size_t first, std::size_t second) const { return visibleShare(first, second, mostRays); }
+    /// The same with another number of rays for a pair that is partly hidden.
+    double visibleShare(std::size_t first, std::size_t second, std::size_t rays) const;
 
     /// What is known of a pair without a ray.
     Sight sight(std::size_t first, std::size_t second) const;
@@ -37,7 +39,8 @@ public:
 
 private:
     template <class Stops>
-    double shareByRays(std::size_t first, std::size_t second, std::size_t deciding, const Stops& stops) const;
+    double shareByRays(std::size_t first, std::size_t second, std::size_t most, std::size_t deciding,
+                       const Stops& stops) const;
 
     const Geometry& geometry;
     std::size_t mostRays;
