@@ -3,9 +3,26 @@
 #include <CLI/CLI.hpp>
 
 #include "base/ProgressBar.h"
+#include "base/Warning.h"
 #include "engine/Hemicubes.h"
+#include "engine/WorstPair.h"
 
 namespace radlab {
+
+void warnOfLimits(const SceneInput& input, engine::Method method) {
+    const std::string name = engine::nameOf(method);
+    if (input.effects.has(Effect::occlusion) && !engine::seesOcclusion(method))
+        warn(input.scene.file + ": the method " + name + " sees nothing hidden, though " +
+             input.effects[Effect::occlusion].reason + ": expected hemicube, hemisphere, visibility or auto");
+    const auto worst = engine::worstPair(input.geometry, method);
+    if (!worst) return;
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ": the method %s takes patches for points, and some are near: from patch %zu to patch %zu it gives "
+                  "%.3g where %.3g is right; expected exact, visibility or auto there, or smaller patches",
+                  name.c_str(), worst->from, worst->to, worst->found, worst->exact);
+    warn(input.scene.file + text);
+}
 
 void addFormFactorFlags(CLI::App& app, FormFactorFlags& flags) {
     app.add_option("--method", flags.method,
@@ -31,7 +48,9 @@ engine::FormFactorMatrix runFormFactors(const SceneInput& input, engine::FormFac
     ProgressBar bar("form factors", static_cast<double>(input.geometry.patches.size()), "rows");
     options.occlusion = input.effects.has(Effect::occlusion);
     options.progress = [&](std::size_t rows) { bar.show(static_cast<double>(rows)); };
-    return engine::formFactors(input.geometry, options, &report);
+    engine::FormFactorMatrix matrix = engine::formFactors(input.geometry, options, &report);
+    warnOfLimits(input, report.method);
+    return matrix;
 }
 
 }  // namespace radlab

@@ -20,7 +20,10 @@ void addFormFactorFlags(CLI::App& app, FormFactorFlags& flags);
 /// Errors: no such method.
 engine::FormFactorOptions optionsOf(const FormFactorFlags& flags);
 
-/// The form factors of a scene's patches, with a progress bar; its occlusion decides what `auto` is.
+/// Warns where a method cannot hold what a scene has: hidden patches, or pairs that are near.
+void warnOfLimits(const SceneInput& input, engine::Method method);
+
+/// The form factors of a scene's patches, with a progress bar; its occlusion decides what `auto` is; limits of the method are warned of.
 engine::FormFactorMatrix runFormFactors(const SceneInput& input, engine::FormFactorOptions options,
                                         engine::FormFactorReport& report);
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apps/FormFactorRun.h"
 #include "base/ProgressBar.h"
 #include "engine/FormFactorRows.h"
 #include "engine/HierarchicalRadiosity.h"
@@ -40,6 +41,7 @@ void addShootingFlags(CLI::App& app, ShootingFlags& flags) {
 RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factors, const ShootingFlags& flags) {
     factors.occlusion = input.effects.has(Effect::occlusion);
     const FormFactorRows rows(input.geometry, factors);
+    warnOfLimits(input, rows.method());
     ShootingOptions options;
     if (flags.unshot > 0.0) options.unshot = flags.unshot;
     if (flags.shots > 0) options.mostShots = flags.shots;

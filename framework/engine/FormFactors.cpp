@@ -56,6 +56,10 @@ bool isReciprocal(Method method) {
     return method != Method::polygon && method != Method::hemicube && method != Method::hemisphere;
 }
 
+bool seesOcclusion(Method method) {
+    return method != Method::point && method != Method::polygon && method != Method::exact;
+}
+
 FormFactorMatrix formFactors(const Geometry& geometry, const FormFactorOptions& options, FormFactorReport* report) {
     const Stopwatch watch;
     FormFactorMatrix matrix(geometry.patches);

@@ -29,6 +29,9 @@ std::string nameOf(Method method);
 /// Whether a method's matrix has Ai·Fij = Aj·Fji by the way it is made; others need makeReciprocal to be solved.
 bool isReciprocal(Method method);
 
+/// Whether a method takes into account what stands between patches.
+bool seesOcclusion(Method method);
+
 struct FormFactorOptions {
     Method method = Method::automatic;
     bool occlusion = true;  ///< whether anything may hide anything: decides what `automatic` is
