@@ -44,6 +44,11 @@ case $claim in
         exits 2
         run "$project/resources/scenes/furnace.x3d" -o F.csv --patch-size 1e-4
         exits 2
+        sed 's/<Material /<Material transparency="0.5" /' "$project/resources/scenes/furnace.x3d" >panes.x3d
+        run panes.x3d -o F.csv --enforce
+        rm panes.x3d
+        exits 2
+        says err 'found faces that let light through'
         [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
         ;;
     "settings name the scene and the size of the patches, rays see what is hidden, both laws can be enforced")

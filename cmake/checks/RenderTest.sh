@@ -62,10 +62,17 @@ case $claim in
         run "$project/resources/scenes/mirror.x3d" --patch-size 200 --width 64 --height 64 --antialias 1 -o mirror.png
         exits 0
         says out ', 0 of 4096 pixels sampled more than once'
+        says out 'over specular faces: '
         if grep -q ', 0 gathers' out; then wrong "no gathers: $(cat out)"; fi
+        run "$project/resources/scenes/mirror.x3d" --patch-size 200 --width 64 --height 64 --force specular=off \
+            -o matt.png
+        exits 0
+        says out ', 0 gathers'
+        if grep -q 'over specular faces' out; then wrong "specular light, forced off: $(cat out)"; fi
         run "$project/resources/scenes/cornell_2.x3d" --patch-size 200 --width 64 --height 64 -o box.png
         exits 0
         says out ', 0 gathers'
+        if grep -q 'over specular faces' out; then wrong "specular light in a matt scene: $(cat out)"; fi
         if command -v ldd >/dev/null && ldd "$program" | grep -qE 'libOSMesa|libEGL|libGL'; then wrong "linked with OpenGL"; fi
         ;;
     "an error asked for is reached; links and shots do without a matrix")

@@ -49,7 +49,7 @@ void requireCamera(const PictureFlags& flags, const Scene& scene) {
 }
 
 RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution) {
-    const TracedScene scene(input.geometry, scatteringsOf(input.scene));
+    const TracedScene scene(input.geometry, input.scatterings);
     std::vector<Point> radiosity = solution.radiosity;
     addAmbient(radiosity, solution.surfaces, solution.ambient);
     const PatchShading shading =
@@ -68,7 +68,7 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
 
 RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std::size_t samples) {
     const Stopwatch watch;
-    const TracedScene scene(input.geometry, scatteringsOf(input.scene));
+    const TracedScene scene(input.geometry, input.scatterings);
     ProgressBar bar("path tracing", static_cast<double>(tilesOf(flags.width, flags.height)), "tiles");
     RenderPicture picture;
     picture.radiance = pathTracePicture(scene, frameOf(flags, input.scene), samples,

@@ -1,6 +1,7 @@
 #include "apps/RenderSolution.h"
 
 #include "apps/FormFactorRun.h"
+#include "apps/SpecularPart.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "engine/PathTracer.h"
@@ -9,35 +10,25 @@ namespace radlab {
 
 using namespace engine;
 
-namespace {
-
-// What passes through a pane it does not reflect.
-Surfaces surfacesOf(const SceneInput& input) {
-    Surfaces surfaces = engine::surfacesOf(*input.mesh);
-    const std::vector<Scattering> scatterings = scatteringsOf(input.scene);
-    for (std::size_t i = 0; i < surfaces.reflectance.size(); ++i)
-        surfaces.reflectance[i] = scatterings[input.geometry.faceOf[i]].diffuse;
-    return surfaces;
-}
-
-}  // namespace
-
 RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptions& options) {
     FormFactorReport factors;
     FormFactorMatrix matrix = runFormFactors(input, options, factors);
     if (!isReciprocal(factors.method)) makeReciprocal(matrix);
+    const SpecularPart specular(input);
     const Stopwatch watch;
     RenderSolution solution;
-    solution.surfaces = surfacesOf(input);
+    solution.surfaces = surfacesOf(*input.mesh, input.scatterings);
+    Transport transport = transportOf(matrix);
+    if (specular.transport) transport.further = specular.transport->further();
     SolverOptions solving;
     solving.channels = input.effects.channels();
     SolverReport solver;
-    solution.radiosity = solveRadiosity(matrix, solution.surfaces, solving, &solver);
+    solution.radiosity = solveRadiosity(transport, solution.surfaces, solving, &solver);
     char text[300];
     std::snprintf(text, sizeof text,
-                  "form factors: %s, %zu rays, %.3g s\nradiosities: %d of 3 channels solved, %zu iterations, %.3g s",
-                  nameOf(factors.method).c_str(), factors.rays, factors.seconds, solver.channels, solver.iterations,
-                  watch.seconds());
+                  "form factors: %s, %zu rays, %.3g s%s\nradiosities: %d of 3 channels solved, %zu iterations, %.3g s",
+                  nameOf(factors.method).c_str(), factors.rays, factors.seconds, specular.summary.c_str(),
+                  solver.channels, solver.iterations, watch.seconds());
     solution.summary = text;
     return solution;
 }
@@ -48,11 +39,11 @@ RenderSolution solveByPaths(const SceneInput& input, std::size_t samples) {
     PathRadiosityOptions options;
     options.samples = samples;
     options.progress = [&](std::size_t patches) { bar.show(static_cast<double>(patches)); };
-    const PathRadiosity found = pathTraceRadiosity(TracedScene(input.geometry, scatteringsOf(input.scene)), options);
+    const PathRadiosity found = pathTraceRadiosity(TracedScene(input.geometry, input.scatterings), options);
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: path tracing, %zu paths a patch, %zu rays, %.3g s", found.samples,
                   found.rays, watch.seconds());
-    return {surfacesOf(input), found.radiosity, found.standardError, Point(0.0), text};
+    return {surfacesOf(*input.mesh, input.scatterings), found.radiosity, found.standardError, Point(0.0), text};
 }
 
 }  // namespace radlab

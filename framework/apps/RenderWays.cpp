@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/FormFactorRun.h"
+#include "apps/SpecularPart.h"
 #include "base/ProgressBar.h"
+#include "base/Warning.h"
 #include "engine/FormFactorRows.h"
 #include "engine/HierarchicalRadiosity.h"
 #include "engine/Scattering.h"
@@ -18,13 +20,16 @@ RenderSolution solveByLinks(const SceneInput& input, double threshold) {
     options.threshold = threshold;
     options.occlusion = input.effects.has(Effect::occlusion);
     HierarchicalReport report;
+    options.channels = input.effects.channels();
+    const SpecularPart specular(input);
+    options.further = specular.further();
     RenderSolution made;
-    made.surfaces = surfacesOf(input.scene, *input.mesh);
+    made.surfaces = surfacesOf(*input.mesh, input.scatterings);
     made.radiosity = solveHierarchical(input.geometry, made.surfaces, options, &report);
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: %zu links in %zu rounds, %zu rays, %d of 3 channels solved, %.3g s",
                   report.links, report.rounds, report.rays, report.channels, report.seconds);
-    made.summary = text;
+    made.summary = text + specular.summary;
     return made;
 }
 
@@ -42,6 +47,10 @@ RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factor
     factors.occlusion = input.effects.has(Effect::occlusion);
     const FormFactorRows rows(input.geometry, factors);
     warnOfLimits(input, rows.method());
+    if (input.effects.has(Effect::specular) && input.effects.specularOntoDiffuse)
+        warn(input.scene.file +
+             ": shots leave out what specular faces throw on others: expected a matrix (no --unshot or "
+             "--shots), or --method links or path");
     ShootingOptions options;
     if (flags.unshot > 0.0) options.unshot = flags.unshot;
     if (flags.shots > 0) options.mostShots = flags.shots;
@@ -52,7 +61,7 @@ RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factor
                  std::to_string(shots) + " shots");
     };
     RenderSolution made;
-    made.surfaces = surfacesOf(input.scene, *input.mesh);
+    made.surfaces = surfacesOf(*input.mesh, input.scatterings);
     ShootingReport report;
     made.radiosity = shootRadiosity(
         areasOf(input.geometry), made.surfaces, [&](std::size_t i, double* row) { rows.row(i, row); }, options,

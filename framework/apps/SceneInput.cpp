@@ -42,6 +42,24 @@ std::vector<Force> forcesOf(const SceneFlags& flags) {
     return forces;
 }
 
+std::vector<engine::Scattering> scatteringsOf(const Scene& scene, const Effects& effects) {
+    std::vector<engine::Scattering> scatterings;
+    for (const Face& face : scene.faces) {
+        Material material = *face.material;
+        if (!effects.has(Effect::specular)) material.specular = Vec3f(0.0f);
+        if (!effects.has(Effect::transparency)) material.transparency = 0.0f;
+        scatterings.push_back(engine::scatteringOf(material));
+    }
+    return scatterings;
+}
+
+void decide(SceneInput& input, const std::vector<Force>& forces) {
+    input.effects = findEffects(input.scene, input.mesh.get());
+    for (const Force& force : forces) apply(force, input.effects);
+    input.scatterings = scatteringsOf(input.scene, input.effects);
+    input.geometry.through = engine::throughOf(input.scatterings);
+}
+
 }  // namespace
 
 void addSceneFlags(CLI::App& app, SceneFlags& flags) {
@@ -62,8 +80,7 @@ SceneInput readSceneInput(const SceneFlags& flags) {
     input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
                                              static_cast<float>(sizes.light));
     input.geometry = engine::geometryOf(input.scene, *input.mesh);
-    input.effects = findEffects(input.scene, input.mesh.get());
-    for (const Force& force : forces) apply(force, input.effects);
+    decide(input, forces);
     char text[64];
     std::snprintf(text, sizeof text, ": %zu patches of size %.4g", input.geometry.patches.size(), sizes.patch);
     input.summary = input.scene.file + text;
@@ -76,8 +93,7 @@ SceneInput readFacesInput(const SceneFlags& flags) {
     Sizes sizes;
     input.scene = read(flags, sizes);
     input.geometry = engine::geometryOf(input.scene);
-    input.effects = findEffects(input.scene);
-    for (const Force& force : forces) apply(force, input.effects);
+    decide(input, forces);
     input.summary = input.scene.file + ": its " + std::to_string(input.geometry.patches.size()) + " faces as patches";
     return input;
 }

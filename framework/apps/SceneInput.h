@@ -6,6 +6,7 @@
 
 #include "course/PatchMesh.h"
 #include "engine/Geometry.h"
+#include "engine/Scattering.h"
 #include "scene/Effects.h"
 #include "scene/Scene.h"
 
@@ -31,7 +32,8 @@ struct SceneInput {
     std::unique_ptr<PatchMesh> mesh;
     engine::Geometry geometry;
     Effects effects;
-    std::string summary;  ///< file and patches, in a line
+    std::vector<engine::Scattering> scatterings;  ///< of each face, without the effects that are off
+    std::string summary;                          ///< file and patches, in a line
 };
 
 /// Errors: those of forceNamed, the readers and the Mesher.

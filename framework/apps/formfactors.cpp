@@ -35,10 +35,16 @@ int formFactorTable(const Flags& flags) {
     else if (options.method == Method::exact)
         options.tolerance = finestTolerance;
     const SceneInput input = flags.faces ? readFacesInput(flags.scene) : readSceneInput(flags.scene);
+    const bool panes = !input.geometry.through.empty();
+    if (flags.enforce && panes)
+        throw Error(
+            "--enforce: found faces that let light through, expected none: light is counted at them and behind "
+            "them, so rows do not add up to 1 (--force transparency=off takes them as opaque)");
     FormFactorReport report;
     FormFactorMatrix matrix = runFormFactors(input, options, report);
     std::string summary =
         input.summary + "\n" + describeRun(report, input.effects) + "\n" + describe(qualityOf(matrix));
+    if (panes) summary += "\nlight that faces let through is counted at them and behind them: rows may exceed 1";
     if (flags.enforce) {
         char text[100];
         std::snprintf(text, sizeof text, "\nboth laws enforced; rows are off by %.2g at most", enforceLaws(matrix));

@@ -11,7 +11,6 @@
 #include "apps/RenderWays.h"
 #include "base/ImageFile.h"
 #include "base/Warning.h"
-#include "engine/Scattering.h"
 
 namespace {
 
@@ -47,20 +46,8 @@ void check(const Flags& flags) {
         throw Error("nothing to write: expected -o image.png (or .hdr), --csv patches.csv, or both");
 }
 
-// Form factors take all surfaces as matt and opaque.
-void warnOfWhatIsLeftOut(const SceneInput& input) {
-    const std::vector<engine::Scattering> scatterings = engine::scatteringsOf(input.scene);
-    const auto count = std::count_if(scatterings.begin(), scatterings.end(),
-                                     [](const engine::Scattering& scattering) { return !scattering.isMatt(); });
-    if (count > 0)
-        warn(input.scene.file + ": " + std::to_string(count) +
-             " faces are specular or transparent; what they send on to other surfaces is left out of the radiosities "
-             "(--method path has it)");
-}
-
 RenderSolution solve(const Flags& flags, SceneInput& input) {
     if (flags.error > 0.0) return solveToError(input, flags.error, flags.scene.patchSize);
-    warnOfWhatIsLeftOut(input);
     if (flags.byLinks()) return solveByLinks(input, flags.threshold);
     if (flags.shooting.given()) return solveByShooting(input, optionsOf(flags.formFactors), flags.shooting);
     return solveByFormFactors(input, optionsOf(flags.formFactors));

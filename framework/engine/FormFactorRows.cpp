@@ -61,11 +61,22 @@ void FormFactorRows::byHemisphere(std::size_t from, double* factors) const {
     const LowDiscrepancy points(from);
     for (std::size_t k = 0; k < options.rays; ++k) {
         const auto at = points.at(k);
-        const Point direction = cosineDirection(patch.normal, at[2], at[3]);
-        const std::size_t hit = scene->firstHit(sampler.at(at[0], at[1]), direction, from);
-        if (hit != RayScene::nothing && glm::dot(direction, geometry.patches[hit].normal) < 0.0) ++factors[hit];
+        follow(sampler.at(at[0], at[1]), cosineDirection(patch.normal, at[2], at[3]), from, factors);
     }
     for (std::size_t j = 0; j < geometry.patches.size(); ++j) factors[j] /= static_cast<double>(options.rays);
+}
+
+// Adds what arrives along a ray to all fronts that it meets, on through panes.
+void FormFactorRows::follow(Point from, const Point& direction, std::size_t start, double* arrived) const {
+    double share = 1.0;
+    for (int pane = 0; pane < mostPanes && share > 0.0; ++pane) {
+        const RayHit hit = scene->meet(from, direction, start);
+        if (hit.polygon == RayHit::nothing) return;
+        if (glm::dot(direction, geometry.patches[hit.polygon].normal) < 0.0) arrived[hit.polygon] += share;
+        share *= geometry.throughPatch(hit.polygon);
+        from += hit.distance * direction;
+        start = hit.polygon;
+    }
 }
 
 std::size_t FormFactorRows::rays() const { return scene ? scene->rays() : visibility ? visibility->rays() : 0; }

@@ -40,6 +40,7 @@ private:
     void byPairs(std::size_t from, double* factors) const;
     void byPoints(std::size_t from, double* factors) const;
     void byHemisphere(std::size_t from, double* factors) const;
+    void follow(Point from, const Point& direction, std::size_t start, double* arrived) const;
 
     const Geometry& geometry;
     FormFactorOptions options;

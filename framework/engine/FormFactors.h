@@ -53,6 +53,9 @@ struct FormFactorReport {
 
 /// The form factors between all pairs of patches.
 ///
+/// Through panes (Geometry::through) hemisphere and visibility let light pass: it is counted at the pane and, as far as
+/// it gets through, behind it too, so that rows may add up to more than 1.
+///
 /// The same to the bit for any number of threads.
 ///
 /// @cost point, polygon, exact, visibility: a function of pairs; hemicube, hemisphere: pictures or rays from each patch.

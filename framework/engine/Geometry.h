@@ -14,6 +14,9 @@ struct Geometry {
     std::vector<Polygon> patches;
     std::vector<Polygon> faces;
     std::vector<std::size_t> faceOf;  ///< for each patch
+    std::vector<double> through;      ///< for each face: the share of light that passes straight on; empty: none does
+
+    double throughPatch(std::size_t patch) const { return through.empty() ? 0.0 : through[faceOf[patch]]; }
 };
 
 /// The areas of the patches.

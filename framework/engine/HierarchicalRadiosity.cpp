@@ -56,6 +56,18 @@ private:
     std::array<std::vector<double>, 3> radiosity, reflectance;
 };
 
+// Adds what arrives at each patch in another way than by links.
+void addFurther(const ChannelExchange& further, const PatchTree& tree, const std::vector<Point>& radiosity,
+                std::vector<Point>& arrived) {
+    for (int c = 0; c < 3; ++c) {
+        std::vector<double> sent, exchanged(radiosity.size());
+        for (const Point& b : radiosity) sent.push_back(b[c]);
+        further(c, sent, exchanged);
+        for (std::size_t i = 0; i < arrived.size(); ++i)
+            if (tree.area(i) > 0.0) arrived[i][c] += exchanged[i] / tree.area(i);
+    }
+}
+
 }  // namespace
 
 std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& surfaces,
@@ -68,18 +80,28 @@ std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& s
     std::size_t rounds = 0;
     SolverOptions solver;
     solver.tolerance = roughly;
+    solver.channels = options.channels;
+    const auto solve = [&](SolverReport* solved = nullptr) {
+        Transport transport = links.transport();
+        transport.further = options.further;
+        return solveRadiosity(transport, surfaces, solver, solved);
+    };
     const auto carriesMuch = [&](const Link& link) { return light.share(link) > options.threshold; };
     while (links.refine(carriesMuch) && rounds < mostRounds) {
         ++rounds;
         if (options.progress) options.progress(links.list().size());
-        radiosity = solveRadiosity(links.transport(), surfaces, solver);
+        radiosity = solve();
         light.set(radiosity);
     }
     SolverReport solved;
-    radiosity = solveRadiosity(links.transport(), surfaces, {}, &solved);
-    const std::vector<Point> arrived = links.gathered(radiosity);
-    for (std::size_t i = 0; i < radiosity.size(); ++i)
+    solver.tolerance = SolverOptions().tolerance;
+    radiosity = solve(&solved);
+    std::vector<Point> arrived = links.gathered(radiosity);
+    if (options.further) addFurther(options.further, tree, radiosity, arrived);
+    for (std::size_t i = 0; i < radiosity.size(); ++i) {
         radiosity[i] = surfaces.emission[i] + surfaces.reflectance[i] * arrived[i];
+        if (options.channels) radiosity[i] = options.channels->spread(radiosity[i]);
+    }
     if (report) *report = {links.list().size(), links.rays(), rounds + 1, solved.channels, watch.seconds()};
     return radiosity;
 }

@@ -80,6 +80,15 @@ private:
     Values scale;
 };
 
+// All that is exchanged in a channel.
+Transport inChannel(const Transport& transport, int channel) {
+    if (!transport.further) return transport;
+    return {transport.areas, [&transport, channel](const Values& x, Values& result) {
+                transport.exchange(x, result);
+                transport.further(channel, x, result);
+            }};
+}
+
 // xᵀ·S·y and yᵀ·S·x are the same for a reciprocal exchange; for another one they are not, unless by a rare chance.
 void requireReciprocal(const Transport& transport) {
     constexpr double within = 1e-9;
@@ -163,7 +172,9 @@ std::vector<Point> solveRadiosity(const Transport& transport, const Surfaces& su
     const Channels channels = options.channels.value_or(channelsOf(surfaces.emission, surfaces.reflectance));
     for (int channel = 0; channel < 3; ++channel) {
         if (!channels.solved(channel)) continue;
-        const Solved solved = solveChannel(transport, channelOf(surfaces.emission, channel),
+        const Transport light = inChannel(transport, channel);
+        if (transport.further) requireReciprocal(light);
+        const Solved solved = solveChannel(light, channelOf(surfaces.emission, channel),
                                            channelOf(surfaces.reflectance, channel), options);
         for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i][channel] = solved.radiosity[i];
         made = {made.channels + 1, std::max(made.iterations, solved.iterations),

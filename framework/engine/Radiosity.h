@@ -20,11 +20,16 @@ struct Surfaces {
 /// The surfaces of a mesh's patches.
 Surfaces surfacesOf(const PatchMesh& mesh);
 
+/// Adds to result what x sends in one channel.
+using ChannelExchange = std::function<void(int channel, const std::vector<double>& x, std::vector<double>& result)>;
+
 /// The light that patches send each other, whatever way it is stored: the symmetric S with S_ij = A_i·F_ij.
 struct Transport {
     std::vector<double> areas;
     /// Sets result to S·x; both hold a value for each patch.
     std::function<void(const std::vector<double>& x, std::vector<double>& result)> exchange;
+    /// What channels differ in, such as light over coloured mirrors; none where empty.
+    ChannelExchange further = {};
 };
 
 /// That of a matrix, which lives as long as this does.

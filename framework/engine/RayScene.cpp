@@ -23,7 +23,10 @@ struct Passing {
     const Plane* planes = nullptr;
     Point from{0.0};
     double near = 0.0;  // up to here doubles decide, where floats cannot: a ray that starts in a plane does not meet it
-    const Point* towards = nullptr;  // given where only fronts stop the ray: its direction
+    const Point* towards = nullptr;      // given where only fronts stop the ray: its direction
+    const double* through = nullptr;     // given where polygons let a share of the light pass:
+    double share = 1.0;                  // what is left of it,
+    std::size_t pane = RayHit::nothing;  // and the last that it passed, which the ray may meet twice at an inner edge
 };
 
 bool startsInPlane(const Passing& passing, std::size_t polygon) {
@@ -35,13 +38,21 @@ bool meetsBack(const Passing& passing, std::size_t polygon) {
     return passing.towards && glm::dot(*passing.towards, passing.planes[polygon].normal) >= 0.0;
 }
 
+bool isPassedThrough(Passing& passing, std::size_t polygon) {
+    if (!(passing.through[polygon] > 0.0)) return false;
+    if (polygon != passing.pane) passing.share *= passing.through[polygon];
+    passing.pane = polygon;
+    return true;
+}
+
 void passThrough(const RTCFilterFunctionNArguments* arguments) {
-    const auto* passing = reinterpret_cast<const Passing*>(arguments->context);
+    auto* passing = reinterpret_cast<Passing*>(arguments->context);
     const std::size_t polygon = passing->polygonOf[RTCHitN_primID(arguments->hit, arguments->N, 0)];
     if (polygon == passing->first || polygon == passing->second || meetsBack(*passing, polygon))
         arguments->valid[0] = 0;
     const double distance = double(RTCRayN_tfar(arguments->ray, arguments->N, 0));
     if (passing->planes && distance < passing->near && startsInPlane(*passing, polygon)) arguments->valid[0] = 0;
+    if (passing->through && arguments->valid[0] != 0 && isPassedThrough(*passing, polygon)) arguments->valid[0] = 0;
 }
 
 RTCRay rayFrom(const Point& from, const Point& direction, double nearest, double farthest) {
@@ -97,10 +108,18 @@ struct RayScene::Tree {
     }
 
     Passing passing(const std::vector<std::size_t>& polygonOf, std::size_t first, std::size_t second) const {
-        Passing made{{}, polygonOf.data(), first, second, nullptr, Point(0.0), 0.0, nullptr};
+        Passing made{{}, polygonOf.data(), first, second, nullptr, Point(0.0), 0.0};
         rtcInitIntersectContext(&made.context);
         made.context.filter = passThrough;
         return made;
+    }
+
+    bool stops(const Point& from, const Point& between, Passing& passing) const {
+        const double near = offset / glm::length(between);
+        if (!(near < 0.5)) return false;
+        RTCRay ray = rayFrom(from, between, near, 1.0 - near);
+        rtcOccluded1(scene, &passing.context, &ray);
+        return ray.tfar < 0.0f;
     }
 };
 
@@ -125,14 +144,17 @@ RayScene::RayScene(const std::vector<Polygon>& polygons) : tree(std::make_unique
 RayScene::~RayScene() = default;
 
 bool RayScene::hides(const Point& from, const Point& to, std::size_t first, std::size_t second) const {
-    const Point between = to - from;
-    const double near = tree->offset / glm::length(between);
-    if (!(near < 0.5)) return false;
-    RTCRay ray = rayFrom(from - origin, between, near, 1.0 - near);
-    Passing passing = tree->passing(polygonOf, first, second);
     traced.fetch_add(1, std::memory_order_relaxed);
-    rtcOccluded1(tree->scene, &passing.context, &ray);
-    return ray.tfar < 0.0f;
+    Passing passing = tree->passing(polygonOf, first, second);
+    return tree->stops(from - origin, to - from, passing);
+}
+
+double RayScene::transmittance(const Point& from, const Point& to, std::size_t first, std::size_t second,
+                               const std::vector<double>& through) const {
+    traced.fetch_add(1, std::memory_order_relaxed);
+    Passing passing = tree->passing(polygonOf, first, second);
+    passing.through = through.data();
+    return tree->stops(from - origin, to - from, passing) ? 0.0 : passing.share;
 }
 
 RayHit RayScene::meet(const Point& from, const Point& direction, std::size_t start, Sides sides) const {

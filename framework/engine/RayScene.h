@@ -27,6 +27,8 @@ struct RayHit {
     double distance = 0.0;  ///< from the start, in lengths of the direction, as good as floats are
 };
 
+constexpr int mostPanes = 64;  ///< on one line; what more let through is nothing to speak of
+
 /// Polygons as rays meet them: opaque from both sides, unless asked otherwise.
 ///
 /// Rays run in floats, in a frame with its origin in the middle of the scene. May be asked by several threads at once.
@@ -43,13 +45,14 @@ public:
     /// Whether anything but the two named polygons lies on the line between two points.
     bool hides(const Point& from, const Point& to, std::size_t first, std::size_t second) const;
 
+    /// The share of light that gets from one point to another past all but the two named polygons.
+    ///
+    /// @param through of each polygon
+    double transmittance(const Point& from, const Point& to, std::size_t first, std::size_t second,
+                         const std::vector<double>& through) const;
+
     /// What a ray meets first, other than the polygon it starts from; `nothing` where it leaves the scene.
     RayHit meet(const Point& from, const Point& direction, std::size_t start, Sides sides = Sides::both) const;
-
-    /// The polygon that a ray meets first.
-    std::size_t firstHit(const Point& from, const Point& direction, std::size_t start) const {
-        return meet(from, direction, start).polygon;
-    }
 
     /// How many rays were traced so far.
     std::size_t rays() const { return traced; }

@@ -1,5 +1,6 @@
 #include "engine/Scattering.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,8 +43,15 @@ std::vector<Scattering> scatteringsOf(const Scene& scene) {
     return scatterings;
 }
 
-Surfaces surfacesOf(const Scene& scene, const PatchMesh& mesh) {
-    const std::vector<Scattering> scatterings = scatteringsOf(scene);
+std::vector<double> throughOf(const std::vector<Scattering>& scatterings) {
+    const auto letsThrough = [](const Scattering& scattering) { return scattering.through > 0.0; };
+    if (std::none_of(scatterings.begin(), scatterings.end(), letsThrough)) return {};
+    std::vector<double> through;
+    for (const Scattering& scattering : scatterings) through.push_back(scattering.through);
+    return through;
+}
+
+Surfaces surfacesOf(const PatchMesh& mesh, const std::vector<Scattering>& scatterings) {
     Surfaces surfaces;
     for (const int face : mesh.faceOf) {
         const Scattering& scattering = scatterings[static_cast<std::size_t>(face)];

@@ -34,10 +34,11 @@ Scattering scatteringOf(const Material& material);
 /// The scattering of each face of a scene.
 std::vector<Scattering> scatteringsOf(const Scene& scene);
 
-/// The surfaces of a mesh's patches: what passes straight on is not reflected.
-///
-/// @pre the mesh was cut from this scene
-Surfaces surfacesOf(const Scene& scene, const PatchMesh& mesh);
+/// The share that each face lets through, as Geometry::through has it: empty where all are opaque.
+std::vector<double> throughOf(const std::vector<Scattering>& scatterings);
+
+/// The surfaces of a mesh's patches, for the scatterings of its faces: what passes straight on is not reflected.
+Surfaces surfacesOf(const PatchMesh& mesh, const std::vector<Scattering>& scatterings);
 
 /// The larger of the three channels.
 inline double largest(const Point& color) { return std::max({color.r, color.g, color.b}); }

@@ -15,16 +15,16 @@ namespace {
 constexpr double relativeTolerance = 1e-6;
 
 // A face in convex pieces: itself where it is convex.
-std::vector<Blocker> blockersOf(const Polygon& face, double tolerance) {
+std::vector<Blocker> blockersOf(const Polygon& face, double tolerance, double through) {
     std::vector<Blocker> pieces;
-    for (const Polygon& piece : convexPiecesOf(face)) pieces.emplace_back(piece, tolerance);
+    for (const Polygon& piece : convexPiecesOf(face)) pieces.emplace_back(piece, tolerance, through);
     return pieces;
 }
 
 }  // namespace
 
-Blocker::Blocker(const Polygon& polygon, double rounding)
-    : center(polygon.center), normal(polygon.normal), tolerance(rounding) {
+Blocker::Blocker(const Polygon& polygon, double rounding, double letsThrough)
+    : center(polygon.center), normal(polygon.normal), tolerance(rounding), share(letsThrough) {
     const std::size_t count = polygon.corners.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Point edge = polygon.corners[(i + 1) % count] - polygon.corners[i];
@@ -34,7 +34,7 @@ Blocker::Blocker(const Polygon& polygon, double rounding)
     }
 }
 
-bool Blocker::stops(const Point& from, const Point& to) const {
+bool Blocker::meets(const Point& from, const Point& to) const {
     const double start = height(from), end = height(to);
     if (std::min(start, end) >= -tolerance || std::max(start, end) <= tolerance) return false;
     const Point at = from + start / (start - end) * (to - from);
@@ -87,7 +87,9 @@ Shafts::Shafts(const Geometry& shapes) : geometry(shapes) {
     Box whole = faceBoxes[0];
     for (const Box& box : faceBoxes) whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
     tolerance = relativeTolerance * glm::length(whole.high - whole.low);
-    for (const Polygon& face : geometry.faces) blockers.push_back(blockersOf(face, tolerance));
+    for (std::size_t i = 0; i < count; ++i)
+        blockers.push_back(
+            blockersOf(geometry.faces[i], tolerance, geometry.through.empty() ? 0.0 : geometry.through[i]));
     candidates.resize(count * count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t a) {
         for (std::size_t b = 0; b < count; ++b)
@@ -106,8 +108,8 @@ Sight Shafts::sight(std::size_t first, std::size_t second, std::vector<const Blo
         if (!mayHide(a, patchBoxes[first], b, patchBoxes[second], face)) continue;
         for (const Blocker& blocker : blockers[face]) {
             const Sight sight = blocker.between(a, b);
-            if (sight == Sight::hidden) return Sight::hidden;
-            if (sight == Sight::partly) between.push_back(&blocker);
+            if (sight == Sight::hidden && blocker.through() == 0.0) return Sight::hidden;
+            if (sight != Sight::clear) between.push_back(&blocker);
         }
     }
     return between.empty() ? Sight::clear : Sight::partly;

@@ -9,20 +9,23 @@ namespace radlab::engine {
 /// What of each other two patches see.
 enum class Sight {
     clear,   ///< everything
-    hidden,  ///< nothing: one face stands between all their points
+    hidden,  ///< nothing: one opaque face stands between all their points
     partly,  ///< unclear: some lines between them meet a face
 };
 
-/// A convex polygon that stops lines, from both sides.
+/// A convex polygon that stops lines, from both sides, or lets a share of their light through.
 class Blocker {
 public:
     /// @pre convex, with an area
-    explicit Blocker(const Polygon& polygon, double tolerance);
+    explicit Blocker(const Polygon& polygon, double tolerance, double through = 0.0);
 
-    /// Whether it stops the line between two points; one that only touches it passes.
-    bool stops(const Point& from, const Point& to) const;
+    /// Whether it meets the line between two points; one that only touches it passes.
+    bool meets(const Point& from, const Point& to) const;
 
-    /// Whether it stops none, all or some of the lines between two polygons.
+    /// The share of light that it lets through where it meets a line.
+    double through() const { return share; }
+
+    /// Whether it meets none, all or some of the lines between two polygons.
     ///
     /// @pre both convex, or to be taken as the hulls of their corners
     Sight between(const Polygon& a, const Polygon& b) const;
@@ -36,7 +39,7 @@ private:
     double height(const Point& point) const { return glm::dot(point - center, normal); }
 
     Point center, normal;
-    double tolerance;
+    double tolerance, share;
     std::vector<Side> sides;
 };
 
@@ -57,7 +60,7 @@ public:
 
     /// What two patches see of each other.
     ///
-    /// @param between where the answer is `partly`: all that may stop a line between them
+    /// @param between where the answer is `partly`: all that may stop or weaken a line between them
     /// @cost the faces that may stand between the two patches' faces
     Sight sight(std::size_t first, std::size_t second, std::vector<const Blocker*>& between) const;
 

@@ -57,7 +57,7 @@ private:
         const auto size = static_cast<float>(solution.patchSize);
         solution.mesh = std::make_unique<PatchMesh>(scene.vertices, scene.faces, size, size);
         solution.geometry = geometryOf(scene, *solution.mesh);
-        solution.surfaces = surfacesOf(scene, *solution.mesh);
+        solution.surfaces = surfacesOf(*solution.mesh, scatteringsOf(scene));
         FormFactorOptions options;
         options.rays = raysOfWork;
         ways = waysFor(workOf(scene, solution.geometry, options), effects);

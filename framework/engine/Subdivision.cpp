@@ -32,7 +32,7 @@ Subdivision subdivide(const Scene& scene, const PatchMesh& mesh, double patchSiz
     fine.mesh = std::make_unique<PatchMesh>(patches.vertices, patches.faces, size, size);
     fine.geometry = geometryOf(patches, *fine.mesh);
     fine.geometry.faces = geometryOf(scene).faces;
-    fine.surfaces = surfacesOf(patches, *fine.mesh);
+    fine.surfaces = surfacesOf(*fine.mesh, scatteringsOf(patches));
     fine.coarseOf = fine.geometry.faceOf;
     for (std::size_t& face : fine.geometry.faceOf) face = static_cast<std::size_t>(mesh.faceOf[face]);
     return fine;

@@ -1,6 +1,5 @@
 #include "engine/TracedScene.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/Error.h"
@@ -8,8 +7,6 @@
 namespace radlab::engine {
 
 namespace {
-
-constexpr int mostPanes = 64;  // on one line; what more let through is nothing to speak of
 
 // The distance of a plane along a ray in doubles; that of the floats where the ray grazes the plane.
 double refined(const RayHit& hit, const Polygon& patch, const Point& from, const Point& direction) {
@@ -21,12 +18,10 @@ double refined(const RayHit& hit, const Polygon& patch, const Point& from, const
 }  // namespace
 
 TracedScene::TracedScene(const Geometry& shapes, std::vector<Scattering> ofFaces)
-    : geometry(shapes),
-      scatterings(std::move(ofFaces)),
-      rayScene(shapes.patches),
-      opaque(
-          std::all_of(scatterings.begin(), scatterings.end(), [](const Scattering& s) { return s.through == 0.0; })) {
+    : geometry(shapes), scatterings(std::move(ofFaces)), rayScene(shapes.patches) {
     RADLAB_CHECK(scatterings.size() == shapes.faces.size());
+    if (throughOf(scatterings).empty()) return;
+    for (const std::size_t face : shapes.faceOf) through.push_back(scatterings[face].through);
 }
 
 SurfacePoint TracedScene::meet(const Point& from, const Point& direction, std::size_t start, Sides sides) const {
@@ -38,19 +33,8 @@ SurfacePoint TracedScene::meet(const Point& from, const Point& direction, std::s
 }
 
 double TracedScene::transmittance(const Point& from, const Point& to, std::size_t first, std::size_t second) const {
-    if (opaque) return rayScene.hides(from, to, first, second) ? 0.0 : 1.0;
-    const double length = glm::length(to - from);
-    const Point direction = (to - from) / length;
-    SurfacePoint at{first, from, true};
-    double share = 1.0;
-    for (int pane = 0; pane < mostPanes; ++pane) {
-        at = meet(at.position, direction, at.patch, Sides::both);
-        if (!at.exists()) return share;
-        if (at.patch == second || glm::length(at.position - from) >= length) return share;
-        share *= scattering(at.patch).through;
-        if (share == 0.0) return 0.0;
-    }
-    return share;
+    if (through.empty()) return rayScene.hides(from, to, first, second) ? 0.0 : 1.0;
+    return rayScene.transmittance(from, to, first, second, through);
 }
 
 }  // namespace radlab::engine

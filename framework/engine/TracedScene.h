@@ -45,7 +45,7 @@ private:
     const Geometry& geometry;
     std::vector<Scattering> scatterings;
     RayScene rayScene;
-    bool opaque;
+    std::vector<double> through;  // of each patch; empty where all are opaque
 };
 
 }  // namespace radlab::engine

@@ -10,6 +10,15 @@ namespace {
 
 constexpr std::size_t firstRays = 16;
 
+double passing(const std::vector<const Blocker*>& between, const Point& from, const Point& to) {
+    double share = 1.0;
+    for (const Blocker* blocker : between) {
+        if (blocker->meets(from, to)) share *= blocker->through();
+        if (share == 0.0) return 0.0;
+    }
+    return share;
+}
+
 }  // namespace
 
 Visibility::Visibility(const Geometry& shapes, std::size_t most, std::uint64_t seed)
@@ -25,15 +34,18 @@ double Visibility::visibleShare(std::size_t first, std::size_t second, std::size
     if (!shafts) {
         const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
         return shareByRays(first, second, rays, firstRays,
-                           [&](const Point& from, const Point& to) { return scene->hides(from, to, faceA, faceB); });
+                           [&](const Point& from, const Point& to) { return passing(from, to, faceA, faceB); });
     }
     thread_local std::vector<const Blocker*> between;
     const Sight sight = shafts->sight(first, second, between);
     if (sight != Sight::partly) return sight == Sight::clear ? 1.0 : 0.0;
-    return shareByRays(first, second, rays, rays, [&](const Point& from, const Point& to) {
-        return std::any_of(between.begin(), between.end(),
-                           [&](const Blocker* blocker) { return blocker->stops(from, to); });
-    });
+    return shareByRays(first, second, rays, rays,
+                       [&](const Point& from, const Point& to) { return engine::passing(between, from, to); });
+}
+
+double Visibility::passing(const Point& from, const Point& to, std::size_t faceA, std::size_t faceB) const {
+    if (geometry.through.empty()) return scene->hides(from, to, faceA, faceB) ? 0.0 : 1.0;
+    return scene->transmittance(from, to, faceA, faceB, geometry.through);
 }
 
 Sight Visibility::sight(std::size_t first, std::size_t second) const {
@@ -41,9 +53,9 @@ Sight Visibility::sight(std::size_t first, std::size_t second) const {
     return shafts ? shafts->sight(first, second, between) : Sight::partly;
 }
 
-template <class Stops>
+template <class Share>
 double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t most, std::size_t deciding,
-                               const Stops& stops) const {
+                               const Share& share) const {
     const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 1.0;
     const LowDiscrepancy points(firstKey + first * geometry.patches.size() + second);
@@ -58,7 +70,7 @@ double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_
         if (away <= 0.0 || towards <= 0.0) continue;
         const double carried = away * towards / (distance2 * distance2);
         all += carried;
-        if (!stops(from, to)) visible += carried;
+        visible += share(from, to) * carried;
         if (++cast == deciding && (visible == 0.0 || visible == all)) break;
     }
     traced.fetch_add(cast, std::memory_order_relaxed);

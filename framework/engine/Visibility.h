@@ -21,9 +21,9 @@ public:
 
     /// The share of the unoccluded exchange between two patches that gets through, 0 to 1.
     ///
-    /// Rays join points spread over both patches, each weighted by what it would carry. With more than Shafts::mostFaces faces, where
-    /// nothing is known of a pair beforehand, the first 16 rays decide where they agree: an occluder that hides less than a
-    /// sixteenth may be missed.
+    /// Rays join points spread over both patches, each weighted by what it would carry, and weakened by each pane that
+    /// it passes. With more than Shafts::mostFaces faces, where nothing is known of a pair beforehand, the first 16
+    /// rays decide where they agree: an occluder that hides less than a sixteenth may be missed.
     ///
     /// @cost pairs that see everything or nothing: no ray; others: `most` rays, each against the few faces between them;
     ///       with many faces 16 rays for every pair, and `most` where these disagree
@@ -38,9 +38,10 @@ public:
     std::size_t rays() const { return traced; }
 
 private:
-    template <class Stops>
+    double passing(const Point& from, const Point& to, std::size_t faceA, std::size_t faceB) const;
+    template <class Share>
     double shareByRays(std::size_t first, std::size_t second, std::size_t most, std::size_t deciding,
-                       const Stops& stops) const;
+                       const Share& share) const;
 
     const Geometry& geometry;
     std::size_t mostRays;

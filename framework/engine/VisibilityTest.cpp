@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/ClosedFormRoom.h"
+#include "engine/FormFactors.h"
 #include "engine/LowDiscrepancy.h"
 
 using namespace radlab::engine;
@@ -62,7 +63,7 @@ TEST_CASE("what the shafts say of a pair is what rays find") {
                 wrong += (sight == Sight::clear && stopped) || (sight == Sight::hidden && !stopped);
                 if (sight != Sight::partly) continue;
                 bool blocked = false;
-                for (const Blocker* blocker : between) blocked = blocked || blocker->stops(from, to);
+                for (const Blocker* blocker : between) blocked = blocked || blocker->meets(from, to);
                 missed += blocked != stopped;
             }
         }
@@ -76,13 +77,13 @@ TEST_CASE("what the shafts say of a pair is what rays find") {
 
 TEST_CASE("a blocker stops what crosses it, and nothing that only touches it or ends on it") {
     const Blocker square(onFloor(0, 0, 1, 1), 1e-9);
-    CHECK(square.stops(Point(.5, .5, 1), Point(.5, .5, -1)));
-    CHECK(square.stops(Point(.5, .5, -1), Point(.9, .1, 3)));
-    CHECK_FALSE(square.stops(Point(.5, .5, 1), Point(.5, .5, 0)));
-    CHECK_FALSE(square.stops(Point(.5, .5, 0), Point(.5, .5, 1)));
-    CHECK_FALSE(square.stops(Point(1.5, .5, 1), Point(1.5, .5, -1)));
-    CHECK_FALSE(square.stops(Point(0, .5, 1), Point(0, .5, -1)));
-    CHECK_FALSE(square.stops(Point(0, 0, 0), Point(1, 1, 0)));
+    CHECK(square.meets(Point(.5, .5, 1), Point(.5, .5, -1)));
+    CHECK(square.meets(Point(.5, .5, -1), Point(.9, .1, 3)));
+    CHECK_FALSE(square.meets(Point(.5, .5, 1), Point(.5, .5, 0)));
+    CHECK_FALSE(square.meets(Point(.5, .5, 0), Point(.5, .5, 1)));
+    CHECK_FALSE(square.meets(Point(1.5, .5, 1), Point(1.5, .5, -1)));
+    CHECK_FALSE(square.meets(Point(0, .5, 1), Point(0, .5, -1)));
+    CHECK_FALSE(square.meets(Point(0, 0, 0), Point(1, 1, 0)));
     CHECK(square.between(onCeiling(.4, .4, 1, .2, .2), onFloor(.4, .4, .2, .2)) == Sight::partly);
     const auto below = [](double x) { return parallelogram(Point(x, .4, -1), Point(.2, 0, 0), Point(0, .2, 0)); };
     CHECK(square.between(onCeiling(.4, .4, 1, .2, .2), below(.4)) == Sight::hidden);
@@ -106,4 +107,77 @@ TEST_CASE("triangles of a polygon of any shape add up to it, and samples lie in 
         mean += point / 4096.0;
     }
     CHECK(glm::length(mean - arrow.center) < 1e-3);
+}
+
+namespace {
+
+// The factor from a floor to a ceiling at distance 1 where panes stand between, and faces that hide nothing far away.
+double factorThrough(const std::vector<Polygon>& panes, double through, Method method, std::size_t farFaces = 0) {
+    std::vector<Polygon> faces = {onFloor(0, 0, 1, 1), onCeiling(0, 0, 1, 1, 1)};
+    faces.insert(faces.end(), panes.begin(), panes.end());
+    for (std::size_t i = 0; i < farFaces; ++i) faces.push_back(onFloor(5.0 + double(i), 5, 0.5, 0.5));
+    Geometry geometry = geometryOfFaces(faces);
+    geometry.through.assign(faces.size(), 0.0);
+    for (std::size_t i = 0; i < panes.size(); ++i) geometry.through[2 + i] = through;
+    FormFactorOptions options;
+    options.method = method;
+    options.rays = 16384;
+    return formFactors(geometry, options).at(0, 1);
+}
+
+}  // namespace
+
+TEST_CASE("a pane that covers all lines weakens a form factor by the share that it lets through, two by its square") {
+    const double open = 0.199824895698387;
+    const Polygon fromBelow = onCeiling(-1, -1, 0.3, 3, 3),
+                  fromAbove = parallelogram({-1, -1, 0.7}, {3, 0, 0}, {0, 3, 0});
+    for (const double through : {0.0, 0.5, 1.0}) {
+        CAPTURE(through);
+        for (const Polygon& pane : {fromBelow, fromAbove}) {
+            CHECK(factorThrough({pane}, through, Method::visibility) == Approx(through * open).epsilon(1e-6));
+            CHECK(factorThrough({pane}, through, Method::visibility, 300) == Approx(through * open).epsilon(1e-6));
+            CHECK(factorThrough({pane}, through, Method::hemisphere) == Approx(through * open).epsilon(0.01));
+        }
+        const double twice = through * through * open;
+        CHECK(factorThrough({fromBelow, fromAbove}, through, Method::visibility) == Approx(twice).epsilon(1e-6));
+        CHECK(factorThrough({fromBelow, fromAbove}, through, Method::visibility, 300) == Approx(twice).epsilon(1e-6));
+        CHECK(factorThrough({fromBelow, fromAbove}, through, Method::hemisphere) == Approx(twice).epsilon(0.01));
+    }
+}
+
+TEST_CASE("a pane that covers some lines takes its share of what an opaque face would hide") {
+    const double open = 0.199824895698387, hidden = 0.149868671773790;
+    const Polygon quarter = onCeiling(0, 0, 0.5, 0.5, 0.5);
+    for (const double through : {0.0, 0.25, 0.75}) {
+        CAPTURE(through);
+        const double expected = through * open + (1.0 - through) * hidden;
+        CHECK(factorThrough({quarter}, through, Method::visibility) == Approx(expected).epsilon(0.002));
+        CHECK(factorThrough({quarter}, through, Method::visibility, 300) == Approx(expected).epsilon(0.002));
+        CHECK(factorThrough({quarter}, through, Method::hemisphere) == Approx(expected).epsilon(0.01));
+    }
+}
+
+TEST_CASE("rays over the hemisphere count light at a pane and behind it") {
+    Geometry geometry = geometryOfFaces(boxSides(1, 1, 1));
+    const Polygon pane = onCeiling(-0.001, -0.001, 0.5, 1.002, 1.002);
+    geometry.faces.push_back(pane);
+    geometry.patches.push_back(pane);
+    geometry.faceOf.push_back(6);
+    const auto row = [&](double through) {
+        geometry.through.assign(7, 0.0);
+        geometry.through[6] = through;
+        FormFactorOptions options;
+        options.method = Method::hemisphere;
+        const FormFactorMatrix matrix = formFactors(geometry, options);
+        return std::vector<double>(matrix.row(0), matrix.row(0) + 7);
+    };
+    const std::vector<double> opaque = row(0.0), half = row(0.5);
+    double sum = 0.0, halfSum = 0.0;
+    for (std::size_t j = 0; j < 7; ++j) {
+        sum += opaque[j];
+        halfSum += half[j];
+    }
+    CHECK(sum == Approx(1.0));
+    CHECK(half[6] == opaque[6]);
+    CHECK(halfSum == Approx(1.0 + 0.5 * half[6]).epsilon(1e-3));
 }
