@@ -52,10 +52,11 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
     const TracedScene scene(input.geometry, input.scatterings);
     std::vector<Point> radiosity = solution.radiosity;
     addAmbient(radiosity, solution.surfaces, solution.ambient);
-    const PatchShading shading =
-        flags.flat ? PatchShading(radiosity) : PatchShading(*input.mesh, input.geometry, radiosity);
+    const PatchShading shading = flags.flat || !input.effects.has(Effect::smooth)
+                                     ? PatchShading(radiosity)
+                                     : PatchShading(*input.mesh, input.geometry, radiosity);
     PictureOptions options;
-    options.samplesPerEdge = flags.antialias;
+    options.samplesPerEdge = input.effects.has(Effect::antialias) ? flags.antialias : 1;
     PictureReport report;
     RenderPicture picture;
     picture.radiance = drawPicture(scene, shading, frameOf(flags, input.scene), options, &report);

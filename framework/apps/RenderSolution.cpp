@@ -22,6 +22,7 @@ RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptio
     if (specular.transport) transport.further = specular.transport->further();
     SolverOptions solving;
     solving.channels = input.effects.channels();
+    solving.indirect = input.effects.has(Effect::indirect);
     SolverReport solver;
     solution.radiosity = solveRadiosity(transport, solution.surfaces, solving, &solver);
     char text[300];

@@ -21,6 +21,7 @@ RenderSolution solveByLinks(const SceneInput& input, double threshold) {
     options.occlusion = input.effects.has(Effect::occlusion);
     HierarchicalReport report;
     options.channels = input.effects.channels();
+    options.indirect = input.effects.has(Effect::indirect);
     const SpecularPart specular(input);
     options.further = specular.further();
     RenderSolution made;
@@ -52,6 +53,7 @@ RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factor
              ": shots leave out what specular faces throw on others: expected a matrix (no --unshot or "
              "--shots), or --method links or path");
     ShootingOptions options;
+    options.indirect = input.effects.has(Effect::indirect);
     if (flags.unshot > 0.0) options.unshot = flags.unshot;
     if (flags.shots > 0) options.mostShots = flags.shots;
     ProgressBar bar("shooting", 1.0);

@@ -81,6 +81,7 @@ std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& s
     SolverOptions solver;
     solver.tolerance = roughly;
     solver.channels = options.channels;
+    solver.indirect = options.indirect;
     const auto solve = [&](SolverReport* solved = nullptr) {
         Transport transport = links.transport();
         transport.further = options.further;
@@ -96,8 +97,9 @@ std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& s
     SolverReport solved;
     solver.tolerance = SolverOptions().tolerance;
     radiosity = solve(&solved);
-    std::vector<Point> arrived = links.gathered(radiosity);
-    if (options.further) addFurther(options.further, tree, radiosity, arrived);
+    const std::vector<Point>& sent = options.indirect ? radiosity : surfaces.emission;
+    std::vector<Point> arrived = links.gathered(sent);
+    if (options.further) addFurther(options.further, tree, sent, arrived);
     for (std::size_t i = 0; i < radiosity.size(); ++i) {
         radiosity[i] = surfaces.emission[i] + surfaces.reflectance[i] * arrived[i];
         if (options.channels) radiosity[i] = options.channels->spread(radiosity[i]);

@@ -10,6 +10,7 @@ namespace radlab::engine {
 struct HierarchicalOptions {
     double threshold = 1e-5;           ///< a link that carries more than this share of all emitted light is refined
     bool occlusion = true;             ///< whether anything may hide anything
+    bool indirect = true;              ///< follow light that was reflected, as SolverOptions
     std::size_t rays = 16;             ///< for each link between clusters that see part of each other
     double tolerance = 1e-3;           ///< of the relative error of what a link carries unhidden
     ChannelExchange further = {};      ///< what patches exchange beside that, such as light over mirrors

@@ -120,6 +120,10 @@ Solved solveChannel(const Transport& transport, const Values& emission, const Va
     const double wanted = options.tolerance * std::sqrt(dot(residual, residual));
     double square = dot(residual, residual);
     std::size_t iterations = 0;
+    if (!options.indirect) {
+        y = residual;
+        square = 0.0;
+    }
     for (; std::sqrt(square) > wanted; ++iterations) {
         if (iterations == options.mostIterations) refuse(transport, reflectance, "the light did not settle");
         const Values applied = system.apply(direction);

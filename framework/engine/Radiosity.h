@@ -37,6 +37,7 @@ Transport transportOf(const FormFactorMatrix& matrix);
 
 struct SolverOptions {
     double tolerance = 1e-10;  ///< of the residual, relative to the light that is reflected once
+    bool indirect = true;  ///< follow light that was reflected; else B = E + ρ·F·E, which is all where it is black
     std::size_t mostIterations = 1000;
     std::optional<Channels> channels;  ///< to solve; else the fewest that give all three
 };

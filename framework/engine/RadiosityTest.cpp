@@ -185,3 +185,16 @@ TEST_CASE("a matrix that is not reciprocal is refused, and can be made so") {
     const std::vector<Point> radiosity = solveRadiosity(matrix, litFloor(0.5));
     CHECK(radiosity[1].x > 0.0);
 }
+
+TEST_CASE("without indirect light every patch has its emission and what it reflects of the others' emission") {
+    const FormFactorMatrix matrix = exactMatrix(finerBox(3));
+    Surfaces surfaces = grey(54, 0.0, 0.7);
+    surfaces.emission[5] = Point(3.0);
+    SolverOptions options;
+    options.indirect = false;
+    SolverReport report;
+    const std::vector<Point> direct = solveRadiosity(matrix, surfaces, options, &report);
+    for (std::size_t i = 0; i < 54; ++i)
+        CHECK(direct[i].x == Approx(surfaces.emission[i].x + 0.7 * matrix.at(i, 5) * 3.0).epsilon(1e-12));
+    CHECK(report.iterations == 0);
+}

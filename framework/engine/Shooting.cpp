@@ -39,13 +39,14 @@ public:
         return order;
     }
 
-    void shoot(std::size_t from, const std::vector<double>& factors) {
+    void shoot(std::size_t from, const std::vector<double>& factors, bool indirect) {
         const Point light = areas[from] * std::exchange(unshot[from], Point(0.0));
         power[from] = 0.0;
         for (std::size_t i = 0; i < areas.size(); ++i) {
             if (!(factors[i] > 0.0) || !(areas[i] > 0.0)) continue;
             const Point arrived = factors[i] / areas[i] * surfaces.reflectance[i] * light;
             radiosity[i] += arrived;
+            if (!indirect) continue;
             unshot[i] += arrived;
             power[i] = areas[i] * sum(unshot[i]);
         }
@@ -84,7 +85,7 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
         const std::vector<std::size_t> turn = shooter.brightest(std::min(atOnce, options.mostShots - shots));
         if (turn.empty()) break;
         tbb::parallel_for(std::size_t{0}, turn.size(), [&](std::size_t k) { row(turn[k], rows[k].data()); });
-        for (std::size_t k = 0; k < turn.size(); ++k) shooter.shoot(turn[k], rows[k]);
+        for (std::size_t k = 0; k < turn.size(); ++k) shooter.shoot(turn[k], rows[k], options.indirect);
         shots += turn.size();
         left = shooter.unshotPower();
         if (!(left < grown * shooter.emitted))

@@ -9,6 +9,7 @@ namespace radlab::engine {
 
 struct ShootingOptions {
     double unshot = 1e-3;  ///< stop where at most this share of the emitted power is unshot
+    bool indirect = true;  ///< shoot what was reflected, too
     std::size_t mostShots = static_cast<std::size_t>(-1);
     std::function<void(std::size_t shots, double unshot)> progress;  ///< told after every few shots
 };

@@ -102,6 +102,8 @@ std::vector<Point> solveBy(const Way& way, const Geometry& geometry, const Surfa
         HierarchicalOptions options;
         options.threshold = way.setting;
         options.occlusion = effects.has(Effect::occlusion);
+        options.indirect = effects.has(Effect::indirect);
+        options.channels = effects.channels();
         return solveHierarchical(geometry, surfaces, options);
     }
     FormFactorOptions options;
@@ -116,6 +118,7 @@ std::vector<Point> solveBy(const Way& way, const Geometry& geometry, const Surfa
     if (!isReciprocal(way.method)) makeReciprocal(matrix);
     SolverOptions solving;
     solving.channels = effects.channels();
+    solving.indirect = effects.has(Effect::indirect);
     return solveRadiosity(matrix, surfaces, solving);
 }
 
