@@ -57,8 +57,8 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
                                      : PatchShading(*input.mesh, input.geometry, radiosity);
     PictureOptions options;
     options.samplesPerEdge = input.effects.has(Effect::antialias) ? flags.antialias : 1;
-    PictureReport report;
     RenderPicture picture;
+    PictureReport& report = picture.report;
     picture.radiance = drawPicture(scene, shading, frameOf(flags, input.scene), options, &report);
     char text[200];
     std::snprintf(text, sizeof text, "picture: %zu rays, %zu gathers, %zu of %zu pixels sampled more than once, %.3g s",

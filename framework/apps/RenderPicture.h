@@ -4,6 +4,7 @@
 
 #include "apps/RenderSolution.h"
 #include "base/Image.h"
+#include "engine/Picture.h"
 
 namespace radlab {
 
@@ -26,6 +27,7 @@ void requireCamera(const PictureFlags& flags, const Scene& scene);
 /// A linear picture and how it was made, for the user in a line.
 struct RenderPicture {
     Image radiance;
+    engine::PictureReport report;  ///< all 0 where paths drew it
     std::string summary;
 };
 

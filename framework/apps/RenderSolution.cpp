@@ -30,6 +30,8 @@ RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptio
                   "form factors: %s, %zu rays, %.3g s%s\nradiosities: %d of 3 channels solved, %zu iterations, %.3g s",
                   nameOf(factors.method).c_str(), factors.rays, factors.seconds, specular.summary.c_str(),
                   solver.channels, solver.iterations, watch.seconds());
+    solution.counts = {factors.rays, specular.transport ? specular.transport->rays() : 0, solver.iterations,
+                       solver.channels};
     solution.summary = text;
     return solution;
 }
@@ -44,7 +46,7 @@ RenderSolution solveByPaths(const SceneInput& input, std::size_t samples) {
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: path tracing, %zu paths a patch, %zu rays, %.3g s", found.samples,
                   found.rays, watch.seconds());
-    return {surfacesOf(*input.mesh, input.scatterings), found.radiosity, found.standardError, Point(0.0), text};
+    return {surfacesOf(*input.mesh, input.scatterings), found.radiosity, found.standardError, Point(0.0), {}, text};
 }
 
 }  // namespace radlab

@@ -9,13 +9,20 @@
 
 namespace radlab {
 
+/// What a solution took, so that what is off can be seen to take nothing.
+struct SolutionCounts {
+    std::size_t shadowRays = 0, specularRays = 0, iterations = 0;
+    int channels = 0;
+};
+
 /// The light of a scene's patches, and how it was found.
 struct RenderSolution {
     engine::Surfaces surfaces;
     std::vector<engine::Point> radiosity;      ///< W/m² per channel
     std::vector<engine::Point> standardError;  ///< of each radiosity; empty where form factors were used
     engine::Point ambient{0.0};  ///< W/m² that pictures add to what falls on every patch: light still under way
-    std::string summary;         ///< for the user, in lines
+    SolutionCounts counts;
+    std::string summary;  ///< for the user, in lines
 };
 
 /// Solves a scene by form factors between its patches.

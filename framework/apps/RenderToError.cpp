@@ -45,7 +45,7 @@ RenderSolution solveToError(SceneInput& input, double error, double patchSize) {
         warn(input.scene.file + ": an error of " + percent(error) + " was asked for, and " + percent(solution.error) +
              " was reached: expected a larger --error, or smaller patches by --patch-size");
     RenderSolution made{
-        solution.surfaces, solution.radiosity, {}, Point(0.0), describe(solution, error, patchSize == 0.0)};
+        solution.surfaces, solution.radiosity, {}, Point(0.0), {}, describe(solution, error, patchSize == 0.0)};
     input.mesh = std::move(solution.mesh);
     input.geometry = std::move(solution.geometry);
     return made;

@@ -1,0 +1,44 @@
+#include "apps/EffectRun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/Stopwatch.h"
+#include "scene/X3dReader.h"
+
+namespace radlab {
+
+namespace {
+
+SceneInput inputOf(const std::string& file, double about, const std::vector<std::string>& force) {
+    double area = 0.0;
+    for (const engine::Polygon& face : engine::geometryOf(readX3d(file)).faces) area += face.area;
+    SceneFlags flags;
+    flags.file = file;
+    flags.patchSize = std::sqrt(area / about);
+    flags.force = force;
+    return readSceneInput(flags);
+}
+
+}  // namespace
+
+EffectRun::EffectRun(const std::string& file, double about, const std::vector<std::string>& force)
+    : input(inputOf(file, about, force)) {
+    const Stopwatch watch;
+    PictureFlags flags;
+    flags.width = flags.height = 200;
+    solution = solveByFormFactors(input, {});
+    picture = drawSolution(flags, input, solution);
+    seconds = watch.seconds();
+}
+
+std::vector<std::string> projectScenes() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(RADLAB_SOURCE_DIR "/resources/scenes"))
+        if (entry.path().extension() == ".x3d") files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace radlab
