@@ -1,7 +1,6 @@
 #include "apps/EffectRun.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "base/Stopwatch.h"
@@ -12,11 +11,9 @@ namespace radlab {
 namespace {
 
 SceneInput inputOf(const std::string& file, double about, const std::vector<std::string>& force) {
-    double area = 0.0;
-    for (const engine::Polygon& face : engine::geometryOf(readX3d(file)).faces) area += face.area;
     SceneFlags flags;
     flags.file = file;
-    flags.patchSize = std::sqrt(area / about);
+    flags.patchSize = engine::patchSizeFor(readX3d(file), about);
     flags.force = force;
     return readSceneInput(flags);
 }

@@ -13,8 +13,8 @@ namespace {
 using namespace radlab;
 using namespace radlab::engine;
 
-void matrices(benchmark::State& state, const char* scene, float patchSize, const FormFactorOptions& options) {
-    const Setting setting(scene, patchSize);
+void matrices(benchmark::State& state, const char* scene, double patches, const FormFactorOptions& options) {
+    const Setting setting(scene, patches);
     for (auto _ : state) {
         const FormFactorMatrix matrix = formFactors(setting.geometry, options);
         benchmark::DoNotOptimize(matrix.row(0));
@@ -34,7 +34,7 @@ FormFactorOptions with(Method method, double tolerance, std::size_t rays = 0) {
 void hemicubeRows(benchmark::State& state, std::size_t threads) {
     constexpr std::size_t batch = 64;
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const Setting setting("cornell_2.x3d", sizeFor(static_cast<double>(state.range(0))));
+    const Setting setting("cornell_2.x3d", static_cast<double>(state.range(0)));
     const std::size_t count = setting.geometry.patches.size();
     const Hemicubes hemicubes(setting.geometry.patches, static_cast<int>(state.range(1)));
     std::vector<double> rows(batch * count);
@@ -57,19 +57,19 @@ void hemicubeSizes(benchmark::internal::Benchmark* measured) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(matrices, engine exact 1e-4 box, "furnace.x3d", 0.0334f, with(Method::exact, 1e-4))
+BENCHMARK_CAPTURE(matrices, engine exact 1e-4 box, "furnace.x3d", 5400, with(Method::exact, 1e-4))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(matrices, engine exact 1e-6 box, "furnace.x3d", 0.0334f, with(Method::exact, 1e-6))
+BENCHMARK_CAPTURE(matrices, engine exact 1e-6 box, "furnace.x3d", 5400, with(Method::exact, 1e-6))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(matrices, engine exact 1e-12 box, "furnace.x3d", 0.0334f, with(Method::exact, 1e-12))
+BENCHMARK_CAPTURE(matrices, engine exact 1e-12 box, "furnace.x3d", 5400, with(Method::exact, 1e-12))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(matrices, engine visibility Cornell, "cornell_2.x3d", 45.0f, with(Method::visibility, 1e-4, 16))
+BENCHMARK_CAPTURE(matrices, engine visibility Cornell, "cornell_2.x3d", 1000, with(Method::visibility, 1e-4, 16))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(matrices, engine hemisphere Cornell, "cornell_2.x3d", 45.0f, with(Method::hemisphere, 1e-4))
+BENCHMARK_CAPTURE(matrices, engine hemisphere Cornell, "cornell_2.x3d", 1000, with(Method::hemisphere, 1e-4))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(hemicubeRows, engine hemicubes, std::size_t{1} << 16)->Apply(hemicubeSizes);

@@ -10,7 +10,22 @@ namespace radlab {
 
 using namespace engine;
 
+namespace {
+
+// No form factor is needed where no light is reflected.
+RenderSolution withoutReflection(const SceneInput& input) {
+    RenderSolution solution;
+    solution.surfaces = surfacesOf(*input.mesh, input.scatterings);
+    solution.radiosity = solution.surfaces.emission;
+    solution.summary = "radiosities: those emitted, as no light is reflected; no form factors, 0 of 3 channels solved";
+    return solution;
+}
+
+}  // namespace
+
 RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptions& options) {
+    const Decision& indirect = input.effects[Effect::indirect];
+    if (!indirect.on && !indirect.needed) return withoutReflection(input);
     FormFactorReport factors;
     FormFactorMatrix matrix = runFormFactors(input, options, factors);
     if (!isReciprocal(factors.method)) makeReciprocal(matrix);

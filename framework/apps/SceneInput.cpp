@@ -1,6 +1,5 @@
 #include "apps/SceneInput.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -28,12 +27,6 @@ Scene read(const SceneFlags& flags, Sizes& sizes) {
     }
     if (flags.patchSize > 0.0) sizes = {flags.patchSize, flags.patchSize};
     return readX3d(file);
-}
-
-double sizeFor(const Scene& scene) {
-    double area = 0.0;
-    for (const engine::Polygon& face : engine::geometryOf(scene).faces) area += face.area;
-    return std::sqrt(area / patchesWanted);
 }
 
 std::vector<Force> forcesOf(const SceneFlags& flags) {
@@ -76,7 +69,7 @@ SceneInput readSceneInput(const SceneFlags& flags) {
     SceneInput input;
     Sizes sizes;
     input.scene = read(flags, sizes);
-    if (sizes.patch == 0.0) sizes.patch = sizes.light = sizeFor(input.scene);
+    if (sizes.patch == 0.0) sizes.patch = sizes.light = engine::patchSizeFor(input.scene, patchesWanted);
     input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
                                              static_cast<float>(sizes.light));
     input.geometry = engine::geometryOf(input.scene, *input.mesh);

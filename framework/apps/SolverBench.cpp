@@ -15,7 +15,7 @@ using namespace radlab;
 using namespace radlab::engine;
 
 void radiosities(benchmark::State& state) {
-    const Setting setting("cornell_2.x3d", 20.0f);
+    const Setting setting("cornell_2.x3d", 5000);
     FormFactorOptions exact;
     exact.method = Method::exact;
     exact.tolerance = 1e-4;
@@ -32,7 +32,7 @@ void radiosities(benchmark::State& state) {
 // Links with a threshold that falls as patches grow in number: a few for each patch.
 void links(benchmark::State& state, bool suited) {
     const auto patches = static_cast<double>(state.range(0));
-    const Setting setting("cornell_2.x3d", sizeFor(patches));
+    const Setting setting("cornell_2.x3d", patches);
     const Surfaces surfaces = surfacesOf(setting.mesh);
     HierarchicalOptions options;
     options.threshold = suited ? 5.0 / patches : 1e-3;

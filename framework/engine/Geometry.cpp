@@ -1,5 +1,6 @@
 #include "engine/Geometry.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace radlab::engine {
@@ -17,6 +18,12 @@ std::vector<Polygon> facesOf(const Scene& scene) {
 }
 
 }  // namespace
+
+double patchSizeFor(const Scene& scene, double patches) {
+    double area = 0.0;
+    for (const Polygon& face : facesOf(scene)) area += face.area;
+    return std::sqrt(area / patches);
+}
 
 std::vector<double> areasOf(const Geometry& geometry) {
     std::vector<double> areas;

@@ -19,6 +19,9 @@ struct Geometry {
     double throughPatch(std::size_t patch) const { return through.empty() ? 0.0 : through[faceOf[patch]]; }
 };
 
+/// The length of a patch's edge at which a scene falls into about so many patches.
+double patchSizeFor(const Scene& scene, double patches);
+
 /// The areas of the patches.
 std::vector<double> areasOf(const Geometry& geometry);
 

@@ -18,15 +18,9 @@ constexpr double ofSolver = 0.5;         // share of the goal that the solver ma
 constexpr double usualVariation = 0.25;  // mesh error times √patches, in a room
 constexpr double mostPatches = 200'000.0;
 
-double areaOf(const Scene& scene) {
-    double area = 0.0;
-    for (const Polygon& face : geometryOf(scene).faces) area += face.area;
-    return area;
-}
-
 double firstSize(const Scene& scene, double error) {
     const double patches = std::pow(usualVariation * margin / error, 2.0);
-    return std::sqrt(areaOf(scene) / std::clamp(patches, 200.0, mostPatches));
+    return patchSizeFor(scene, std::clamp(patches, 200.0, mostPatches));
 }
 
 class Search {

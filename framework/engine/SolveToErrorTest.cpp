@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/HierarchicalRadiosity.h"
+#include "engine/RelativeError.h"
 #include "engine/Subdivision.h"
 #include "scene/X3dReader.h"
 
@@ -54,13 +55,7 @@ TEST_CASE("where the patches are given, the error asked for is that of the solut
         FormFactorOptions options;
         options.rays = 256;
         const std::vector<Point> truth = solveRadiosity(formFactors(solution.geometry, options), solution.surfaces);
-        double off = 0.0, all = 0.0;
-        for (std::size_t i = 0; i < truth.size(); ++i) {
-            const Point difference = solution.radiosity[i] - truth[i];
-            off += solution.geometry.patches[i].area * glm::dot(difference, difference);
-            all += solution.geometry.patches[i].area * glm::dot(truth[i], truth[i]);
-        }
-        CHECK(std::sqrt(off / all) <= error);
+        CHECK(relativeError(areasOf(solution.geometry), solution.radiosity, truth) <= error);
     }
 }
 

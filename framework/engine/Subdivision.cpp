@@ -1,13 +1,13 @@
 #include "engine/Subdivision.h"
 
-#include <cmath>
-
-#include "base/Error.h"
+#include "engine/RelativeError.h"
 #include "engine/Scattering.h"
 
 namespace radlab::engine {
 
 namespace {
+
+constexpr float coplanar = 1e-3f;  // radians: patches of one face share their corners on, those at creases do not
 
 // The patches of a mesh as the faces of a scene.
 Scene sceneOf(const Scene& scene, const PatchMesh& mesh) {
@@ -18,6 +18,7 @@ Scene sceneOf(const Scene& scene, const PatchMesh& mesh) {
         const MyPolygon& patch = mesh.patches[i];
         Face face = scene.faces[static_cast<std::size_t>(mesh.faceOf[i])];
         face.corners.assign(patch.vertex, patch.vertex + patch.vertices);
+        face.creaseAngle = coplanar;
         made.faces.push_back(std::move(face));
     }
     return made;
@@ -25,9 +26,9 @@ Scene sceneOf(const Scene& scene, const PatchMesh& mesh) {
 
 }  // namespace
 
-Subdivision subdivide(const Scene& scene, const PatchMesh& mesh, double patchSize, int times) {
+Subdivision subdivide(const Scene& scene, const PatchMesh& mesh, double patchSize, double splits) {
     const Scene patches = sceneOf(scene, mesh);
-    const auto size = static_cast<float>(patchSize / times);
+    const auto size = static_cast<float>(patchSize / splits);
     Subdivision fine;
     fine.mesh = std::make_unique<PatchMesh>(patches.vertices, patches.faces, size, size);
     fine.geometry = geometryOf(patches, *fine.mesh);
@@ -39,15 +40,9 @@ Subdivision subdivide(const Scene& scene, const PatchMesh& mesh, double patchSiz
 }
 
 double relativeError(const std::vector<Point>& found, const Subdivision& fine, const std::vector<Point>& truth) {
-    RADLAB_CHECK(truth.size() == fine.coarseOf.size());
-    double error = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        const double area = fine.geometry.patches[i].area;
-        const Point off = found[fine.coarseOf[i]] - truth[i];
-        error += area * glm::dot(off, off);
-        all += area * glm::dot(truth[i], truth[i]);
-    }
-    return all > 0.0 ? std::sqrt(error / all) : 0.0;
+    std::vector<Point> spread;
+    for (const std::size_t patch : fine.coarseOf) spread.push_back(found.at(patch));
+    return relativeError(areasOf(fine.geometry), spread, truth);
 }
 
 }  // namespace radlab::engine

@@ -17,14 +17,14 @@ struct Subdivision {
     std::vector<std::size_t> coarseOf;  ///< for each patch the coarse one that it lies in
 };
 
-/// Cuts every patch of a mesh into about times x times patches.
+/// Cuts every patch of a mesh into about splits x splits patches, which share their vertices all over a face.
 ///
 /// @param patchSize  that the mesh was cut with
-Subdivision subdivide(const Scene& scene, const PatchMesh& mesh, double patchSize, int times);
+Subdivision subdivide(const Scene& scene, const PatchMesh& mesh, double patchSize, double splits);
 
 /// The error of one radiosity for each coarse patch, held against those of a subdivision.
 ///
-/// @return RMS of the error over RMS of the truth, both weighted by area
+/// @return as relativeError of RelativeError.h
 double relativeError(const std::vector<Point>& found, const Subdivision& fine, const std::vector<Point>& truth);
 
 }  // namespace radlab::engine

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/Error.h"
 #include "engine/ErrorEstimate.h"
 #include "engine/FormFactors.h"
 #include "engine/HierarchicalRadiosity.h"
 #include "engine/MeshError.h"
+#include "engine/RelativeError.h"
+#include "engine/Subdivision.h"
 
 namespace radlab::study {
 
@@ -25,19 +26,6 @@ double splitsFor(const StudyMesh& coarse, std::size_t mostPatches) {
 
 }  // namespace
 
-double relativeError(const std::vector<double>& areas, const std::vector<Point>& found,
-                     const std::vector<Point>& truth) {
-    RADLAB_CHECK(found.size() == truth.size());
-    RADLAB_CHECK(areas.size() == truth.size());
-    double error = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        const Point off = found[i] - truth[i];
-        error += areas[i] * glm::dot(off, off);
-        all += areas[i] * glm::dot(truth[i], truth[i]);
-    }
-    return all > 0.0 ? std::sqrt(error / all) : 0.0;
-}
-
 SolverReference solverReference(const StudyMesh& mesh, std::size_t rays) {
     FormFactorOptions options;
     options.occlusion = mesh.occlusion;
@@ -53,22 +41,23 @@ SolverReference solverReference(const StudyMesh& mesh, std::size_t rays) {
 }
 
 WholeReference::WholeReference(const StudyMesh& coarse, std::size_t mostPatches, double threshold) {
-    const FineMesh fine(coarse, splitsFor(coarse, mostPatches));
+    const Subdivision fine = subdivide(coarse.scene, coarse.mesh, coarse.patchSize, splitsFor(coarse, mostPatches));
+    const Surfaces surfaces = surfacesOf(*fine.mesh);
     HierarchicalOptions options;
     options.occlusion = coarse.occlusion;
     options.threshold = threshold;
-    truth = solveHierarchical(fine.geometry, fine.surfaces, options);
-    coarseOf = fine.mesh.faceOf;
+    truth = solveHierarchical(fine.geometry, surfaces, options);
+    coarseOf = fine.coarseOf;
     areas = areasOf(fine.geometry);
     ErrorEstimateOptions estimate;
     estimate.occlusion = coarse.occlusion;
-    solutionError = estimateError(fine.geometry, fine.surfaces, truth, estimate);
-    fineMeshError = estimateMeshError(fine.mesh, truth);
+    solutionError = estimateError(fine.geometry, surfaces, truth, estimate);
+    fineMeshError = estimateMeshError(*fine.mesh, truth);
 }
 
 double WholeReference::errorOf(const std::vector<Point>& radiosity) const {
     std::vector<Point> found;
-    for (const int patch : coarseOf) found.push_back(radiosity.at(static_cast<std::size_t>(patch)));
+    for (const std::size_t patch : coarseOf) found.push_back(radiosity.at(patch));
     return std::hypot(relativeError(areas, found, truth), fineMeshError);
 }
 

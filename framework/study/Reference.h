@@ -9,12 +9,6 @@
 
 namespace radlab::study {
 
-/// How far radiosities are from better ones of the same patches.
-///
-/// @return RMS of the difference over RMS of the truth, both weighted by area, the channels added up; 0 for a black truth
-double relativeError(const std::vector<double>& areas, const std::vector<engine::Point>& found,
-                     const std::vector<engine::Point>& truth);
-
 /// The radiosities of a mesh as good as they can be had, and how good that is.
 struct SolverReference {
     std::vector<engine::Point> radiosity;
@@ -40,7 +34,7 @@ public:
     /// The light deviates from the fine patches' radiosities, too, but in a way that no coarse patch can follow: so the squares add
     /// up, of what is measured against these and of estimateMeshError of these.
     ///
-    /// @return as relativeError
+    /// @return as engine::relativeError
     double errorOf(const std::vector<engine::Point>& radiosity) const;
 
     /// The estimated error of the fine patches' radiosities.
@@ -51,7 +45,7 @@ public:
     std::size_t patches() const { return truth.size(); }
 
 private:
-    std::vector<int> coarseOf;
+    std::vector<std::size_t> coarseOf;
     std::vector<double> areas;
     std::vector<engine::Point> truth;
     double solutionError = 0.0, fineMeshError = 0.0;

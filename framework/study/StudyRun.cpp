@@ -8,6 +8,7 @@
 #include "base/ImageFile.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
+#include "engine/RelativeError.h"
 #include "scene/Effects.h"
 #include "study/PeakMemory.h"
 #include "study/Reference.h"
@@ -21,7 +22,7 @@ namespace {
 class Subject {
 public:
     Subject(const Scene& scene, const StudyPlan& studyPlan, std::size_t patches)
-        : mesh(scene, patchSizeFor(scene, static_cast<double>(patches))), plan(studyPlan) {}
+        : mesh(scene, engine::patchSizeFor(scene, static_cast<double>(patches))), plan(studyPlan) {}
 
     const SolverReference& reference() {
         if (!solver) solver = solverReference(mesh, plan.referenceRays);
@@ -167,7 +168,8 @@ private:
         row.shots = outcome.shots;
         if (step.patches == plan.patches) {
             const SolverReference& reference = subject.reference();
-            row.solverError = relativeError(areasOf(subject.mesh.geometry), outcome.radiosity, reference.radiosity);
+            row.solverError =
+                engine::relativeError(areasOf(subject.mesh.geometry), outcome.radiosity, reference.radiosity);
             row.solverReference = reference.error;
         }
         if (plan.measuresWhole(row.patches)) {
