@@ -1,4 +1,5 @@
-# radlab_library(), radlab_tests(), radlab_program(), radlab_submission(): one line a target in the lists.
+# radlab_library(), radlab_tests(), radlab_program(), radlab_program_tests(), radlab_submission(): one line a target in
+# the lists.
 
 # The library of a folder, framework/<name> or grader/<name>: every .cpp there except tests and programs. What it
 # may depend on is said once, in checks/layers.txt, and read from there.
@@ -58,4 +59,16 @@ function(radlab_program name source)
   endif()
   add_executable(${name} ${PROJECT_SOURCE_DIR}/${source}.cpp)
   target_link_libraries(${name} PRIVATE CLI11::CLI11 ${ARGN})
+endfunction()
+
+# Claims about a program, each a case of the shell script cmake/checks/<script>.
+find_program(RADLAB_SH sh)
+function(radlab_program_tests program script)
+  if(NOT TARGET ${program} OR NOT RADLAB_SH OR NOT UNIX)
+    return()
+  endif()
+  foreach(claim IN LISTS ARGN)
+    add_test(NAME "${program}: ${claim}" COMMAND ${RADLAB_SH} ${PROJECT_SOURCE_DIR}/cmake/checks/${script}
+      $<TARGET_FILE:${program}> ${PROJECT_SOURCE_DIR} "${claim}")
+  endforeach()
 endfunction()

@@ -1,16 +1,9 @@
 #!/bin/sh
 # Tests of the program check as a student uses it: CheckTest.sh PROGRAM PROJECT CLAIM
-set -eu
-check=$1 project=$2 claim=$3
-work=$(mktemp -d)
+. "$(dirname "$0")/ProgramTest.sh"
 watcher=
 trap '[ -z "$watcher" ] || kill "$watcher" 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work"
 
-wrong() { echo "$claim: $*" >&2; exit 1; }
-run() { code=0; "$check" "$@" >out 2>err </dev/null || code=$?; }
-exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
-says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
 # Waits until a text stands in a file so many times.
 waits() {
     for _ in $(seq 600); do
@@ -59,7 +52,7 @@ case $claim in
         exits 2 ;;
     "watch judges on every save, and keeps the last verdict on a compile error")
         cp "$project/exercises/ProgRef.cpp" mine.cpp
-        "$check" --watch --file mine.cpp >log 2>&1 &
+        "$program" --watch --file mine.cpp >log 2>&1 &
         watcher=$!
         waits log '--- ' 1
         waits log 'next: write maxenergy_patch (stage 1)' 1

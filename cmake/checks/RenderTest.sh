@@ -1,15 +1,6 @@
 #!/bin/sh
 # Tests of the program render as its user sees it: RenderTest.sh PROGRAM PROJECT CLAIM
-set -eu
-program=$1 project=$2 claim=$3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-
-wrong() { echo "$claim: $*" >&2; exit 1; }
-run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
-exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
-says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+. "$(dirname "$0")/ProgramTest.sh"
 
 case $claim in
     "in the furnace every patch shines as E/(1-rho), whole or cut, with one channel solved")
@@ -75,7 +66,7 @@ case $claim in
         if grep -q 'over specular faces' out; then wrong "specular light in a matt scene: $(cat out)"; fi
         if command -v ldd >/dev/null && ldd "$program" | grep -qE 'libOSMesa|libEGL|libGL'; then wrong "linked with OpenGL"; fi
         ;;
-    "an error asked for is reached; links and shots do without a matrix")
+    "an error asked for is reached, and links and shots do without a matrix")
         run "$project/resources/scenes/cornell_2.x3d" --error 0.05 --csv box.csv --width 64 --height 64 -o box.png
         exits 0
         says out 'chosen: '

@@ -1,15 +1,6 @@
 #!/bin/sh
 # Tests of the program study as its user sees it: StudyTest.sh PROGRAM PROJECT CLAIM
-set -eu
-program=$1 project=$2 claim=$3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-
-wrong() { echo "$claim: $*" >&2; exit 1; }
-run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
-exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
-says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+. "$(dirname "$0")/ProgramTest.sh"
 room=$project/resources/scenes/furnace.x3d
 
 case $claim in
