@@ -7,8 +7,8 @@ endif()
 # A test program of the files named, its cases listed one by one in ctest.
 function(radlab_test_files name files)
   list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/)
-  add_executable(${name} ${files} ${PROJECT_SOURCE_DIR}/framework/base/TestMain.cc)
-  target_link_libraries(${name} PRIVATE doctest::doctest ${ARGN})
+  add_executable(${name} ${files})
+  target_link_libraries(${name} PRIVATE radlab_test_main ${ARGN})
   doctest_discover_tests(${name} TEST_PREFIX "${name}: ")
 endfunction()
 
@@ -36,8 +36,8 @@ set_tests_properties("the exercise compiles without a warning" PROPERTIES RUN_SE
 # The window, on a display that nobody sees where there is xvfb-run, else on the user's own. Without -noreset
 # Xvfb restarts when the last window closes, and the next one may find no display.
 if(RADLAB_HAVE_WINDOW)
-  add_executable(window-test course/window/WindowTest.cpp base/TestMain.cc)
-  target_link_libraries(window-test PRIVATE doctest::doctest radlab_course radlab_gl_window)
+  add_executable(window-test course/window/WindowTest.cpp)
+  target_link_libraries(window-test PRIVATE radlab_test_main radlab_course radlab_gl_window)
   find_program(XVFB_RUN xvfb-run)
   set(on_display)
   if(XVFB_RUN)
