@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "base/Stopwatch.h"
-#include "scene/X3dReader.h"
 
 namespace radlab {
 
@@ -13,7 +12,7 @@ namespace {
 SceneInput inputOf(const std::string& file, double about, const std::vector<std::string>& force) {
     SceneFlags flags;
     flags.file = file;
-    flags.patchSize = engine::patchSizeFor(readX3d(file), about);
+    flags.patches = about;
     flags.force = force;
     return readSceneInput(flags);
 }

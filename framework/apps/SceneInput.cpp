@@ -11,8 +11,6 @@ namespace radlab {
 
 namespace {
 
-constexpr double patchesWanted = 1000.0;  // where no size is given
-
 struct Sizes {
     double patch = 0.0, light = 0.0;
 };
@@ -69,7 +67,7 @@ SceneInput readSceneInput(const SceneFlags& flags) {
     SceneInput input;
     Sizes sizes;
     input.scene = read(flags, sizes);
-    if (sizes.patch == 0.0) sizes.patch = sizes.light = engine::patchSizeFor(input.scene, patchesWanted);
+    if (sizes.patch == 0.0) sizes.patch = sizes.light = engine::patchSizeFor(input.scene, flags.patches);
     input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
                                              static_cast<float>(sizes.light));
     input.geometry = engine::geometryOf(input.scene, *input.mesh);

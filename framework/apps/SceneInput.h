@@ -19,7 +19,8 @@ namespace radlab {
 /// What a program was told of the scene to work on.
 struct SceneFlags {
     std::string file;                ///< X3D, or settings (Resource.xml) that name it
-    double patchSize = 0.0;          ///< 0: as the settings say, or for about 1000 patches
+    double patchSize = 0.0;          ///< 0: as the settings say, or by the number of patches
+    double patches = 1000.0;         ///< about how many, where no size is given
     std::vector<std::string> force;  ///< EFFECT=on or EFFECT=off
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Rectangles in the room of the closed forms: a floor, a wall and a ceiling.
+// Rectangles in the room of the closed forms: a floor, a wall and a ceiling; whole, cut, moved or turned.
 
 #include "engine/Geometry.h"
 
@@ -42,5 +42,38 @@ inline Geometry geometryOfFaces(std::vector<Polygon> faces) {
     for (std::size_t i = 0; i < geometry.faces.size(); ++i) geometry.faceOf.push_back(i);
     return geometry;
 }
+
+/// Quadrilaterals, each in rows x columns smaller ones whose neighbours share corners to the bit: rows along the
+/// first edge, columns along the last.
+inline Geometry cut(const std::vector<Polygon>& faces, int rows, int columns) {
+    Geometry geometry;
+    geometry.faces = faces;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+        const std::vector<Point>& c = faces[face].corners;
+        const auto corner = [&](int i, int j) {
+            return glm::mix(glm::mix(c[0], c[1], double(i) / rows), glm::mix(c[3], c[2], double(i) / rows),
+                            double(j) / columns);
+        };
+        for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < columns; ++j) {
+                geometry.patches.push_back(
+                    Polygon({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)}));
+                geometry.faceOf.push_back(face);
+            }
+    }
+    return geometry;
+}
+
+inline Geometry cut(const std::vector<Polygon>& faces, int count) { return cut(faces, count, count); }
+
+/// A polygon scaled about the origin, then shifted along all axes.
+inline Polygon moved(const Polygon& polygon, double scale, double offset) {
+    std::vector<Point> corners = polygon.corners;
+    for (Point& corner : corners) corner = scale * corner + Point(offset);
+    return Polygon(std::move(corners));
+}
+
+/// A polygon with its back to the front.
+inline Polygon turned(const Polygon& polygon) { return Polygon({polygon.corners.rbegin(), polygon.corners.rend()}); }
 
 }  // namespace radlab::engine

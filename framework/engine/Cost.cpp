@@ -38,12 +38,6 @@ constexpr double iterations = 15.0;                          // to 1e-10 at usua
 constexpr double raysPerGather = 16.0;                       // from a point that mirrors or is clear
 constexpr double shareOfEdges = 0.1, samplesOnEdges = 15.0;  // pixels that differ from neighbours, and their samples
 constexpr double bytesOfNodes = 1024.0, bytesOfPatch = 600.0, bytesOfPixel = 16.0;
-constexpr double hemisphereRays = 4096.0;
-
-bool faceEachOther(const Polygon& a, const Polygon& b) {
-    return heightsOver(b, a.center, a.normal).high > planeTolerance * b.radius &&
-           heightsOver(a, b.center, b.normal).high > planeTolerance * a.radius;
-}
 
 std::size_t indexAt(double share, std::size_t count) {
     return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
@@ -107,17 +101,18 @@ double exactSeconds(const Work& work) {
 }
 
 double formFactorSeconds(const Work& work, bool occlusion) {
-    const double patches = static_cast<double>(work.patches), rays = static_cast<double>(work.options.rays);
-    Method method = work.options.method;
-    if (method == Method::automatic) method = occlusion ? Method::visibility : Method::exact;
-    switch (method) {
+    const double patches = static_cast<double>(work.patches);
+    FormFactorOptions options = work.options;
+    options.occlusion = occlusion;
+    options = settled(options);
+    switch (options.method) {
         case Method::point: return work.facing * unit::point;
         case Method::polygon: return work.facing * unit::polygon;
         case Method::hemicube: {
-            const double size = work.options.hemicubeSize;
+            const double size = options.hemicubeSize;
             return patches * (patches * unit::hemicubePatch + size * size * unit::hemicubePixel);
         }
-        case Method::hemisphere: return patches * (rays > 0.0 ? rays : hemisphereRays) * unit::hemisphereRay;
+        case Method::hemisphere: return patches * static_cast<double>(options.rays) * unit::hemisphereRay;
         case Method::visibility: {
             const double ray = work.manyFaces ? unit::treeRay : unit::shaftRay;
             return exactSeconds(work) + work.facing * (unit::shaft + work.raysPerPair * ray);
@@ -146,7 +141,6 @@ double pictureSeconds(const Work& work, const Effects& effects) {
 }  // namespace
 
 Work workOf(const Scene& scene, const Geometry& geometry, const FormFactorOptions& options) {
-    constexpr std::size_t pairRays = 64;
     Work work;
     work.patches = geometry.patches.size();
     work.options = options;

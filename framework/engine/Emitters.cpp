@@ -1,11 +1,8 @@
 #include "engine/Emitters.h"
 
-#include <algorithm>
-
 namespace radlab::engine {
 
 Emitters::Emitters(const TracedScene& tracedScene) : scene(tracedScene), densities(scene.patches().size(), 0.0) {
-    double sum = 0.0;
     for (std::size_t i = 0; i < densities.size(); ++i) {
         const Point& emission = scene.scattering(i).emission;
         densities[i] = emission.r + emission.g + emission.b;
@@ -13,10 +10,9 @@ Emitters::Emitters(const TracedScene& tracedScene) : scene(tracedScene), densiti
         if (!(power > 0.0)) continue;
         patches.push_back(i);
         samplers.emplace_back(scene.patches()[i]);
-        upTo.push_back(sum += power);
+        shares.add(power);
     }
-    for (double& share : upTo) share /= sum;
-    for (double& density : densities) density = sum > 0.0 ? density / sum : 0.0;
+    for (double& density : densities) density = shares.total() > 0.0 ? density / shares.total() : 0.0;
 }
 
 double Emitters::weight(double density, const Point& from, const Point& direction, const SurfacePoint& met) const {
@@ -27,10 +23,8 @@ double Emitters::weight(double density, const Point& from, const Point& directio
 }
 
 Emitters::Drawn Emitters::draw(double u, double v) const {
-    const auto found = std::upper_bound(upTo.begin(), upTo.end() - 1, u);
-    const double before = found == upTo.begin() ? 0.0 : *(found - 1);
-    const auto which = static_cast<std::size_t>(found - upTo.begin());
-    return {patches[which], samplers[which].at(std::clamp((u - before) / (*found - before), 0.0, 1.0), v)};
+    const Shares::Drawn drawn = shares.draw(u);
+    return {patches[drawn.which], samplers[drawn.which].at(drawn.rest, v)};
 }
 
 }  // namespace radlab::engine

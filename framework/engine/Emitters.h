@@ -43,7 +43,7 @@ private:
     const TracedScene& scene;
     std::vector<std::size_t> patches;
     std::vector<AreaSampler> samplers;
-    std::vector<double> upTo;       // the share of the power up to and with each emitter
+    Shares shares;                  // of their power
     std::vector<double> densities;  // of each patch of the scene: with which a point of it is drawn, by area
 };
 

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
-#include "engine/ExchangeArea.h"
-#include "engine/Visibility.h"
+#include "engine/FormFactorRows.h"
 
 namespace radlab::engine {
 
@@ -33,32 +31,23 @@ std::vector<std::size_t> sampled(const std::vector<Polygon>& patches, std::size_
     return chosen;
 }
 
-class Gatherer {
-public:
-    Gatherer(const Geometry& shapes, const ErrorEstimateOptions& options)
-        : geometry(shapes), exchanges(shapes.patches, closeEnough) {
-        if (options.occlusion) visibility = std::make_unique<Visibility>(shapes, options.rays, otherRays);
-    }
+Point arrivingAt(std::size_t patch, const Geometry& geometry, const FormFactorRows& rows,
+                 const std::vector<Point>& radiosity) {
+    Point sum(0.0);
+    for (std::size_t j = 0; j < radiosity.size(); ++j)
+        if (j != patch && radiosity[j] != Point(0.0))
+            sum += rows.exchange(std::min(patch, j), std::max(patch, j)) * radiosity[j];
+    return sum / geometry.patches[patch].area;
+}
 
-    Point arrivingAt(std::size_t patch, const std::vector<Point>& radiosity) const {
-        Point sum(0.0);
-        for (std::size_t j = 0; j < radiosity.size(); ++j) {
-            if (radiosity[j] == Point(0.0)) continue;
-            const double exchange = exchanges(patch, j);
-            if (exchange > 0.0) sum += exchange * share(patch, j) * radiosity[j];
-        }
-        return sum / geometry.patches[patch].area;
-    }
-
-private:
-    double share(std::size_t i, std::size_t j) const {
-        return !visibility ? 1.0 : visibility->visibleShare(std::min(i, j), std::max(i, j));
-    }
-
-    const Geometry& geometry;
-    ExchangeAreas exchanges;
-    std::unique_ptr<Visibility> visibility;
-};
+FormFactorOptions exactly(const ErrorEstimateOptions& options) {
+    FormFactorOptions exact;
+    exact.occlusion = options.occlusion;
+    exact.rays = options.rays;
+    exact.seed = otherRays;
+    exact.tolerance = closeEnough;
+    return exact;
+}
 
 Point meanReflectance(const Geometry& geometry, const Surfaces& surfaces) {
     Point sum(0.0);
@@ -77,12 +66,12 @@ double estimateError(const Geometry& geometry, const Surfaces& surfaces, const s
     RADLAB_CHECK(radiosity.size() == geometry.patches.size());
     const std::vector<std::size_t> samples = sampled(geometry.patches, options.samples);
     if (samples.empty()) return 0.0;
-    const Gatherer gatherer(geometry, options);
+    const FormFactorRows rows(geometry, exactly(options));
     std::vector<Point> residuals(samples.size());
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t k) {
         const std::size_t i = samples[k];
         residuals[k] =
-            surfaces.emission[i] + surfaces.reflectance[i] * gatherer.arrivingAt(i, radiosity) - radiosity[i];
+            surfaces.emission[i] + surfaces.reflectance[i] * arrivingAt(i, geometry, rows, radiosity) - radiosity[i];
     });
     Point mean(0.0), square(0.0);
     for (const Point& residual : residuals) {

@@ -168,11 +168,6 @@ TEST_CASE("exchange area: a polygon of any shape is the sum of its triangles") {
 TEST_CASE("exchange area: neither the place nor the unit of length matters") {
     const Polygon a({Point(0), Point(1, 0, 0), Point(0, 1, 0)});
     const Polygon b({Point(.2, .1, 1), Point(.3, .9, 1.4), Point(1.2, .3, .8)});
-    const auto moved = [](const Polygon& polygon, double scale, double offset) {
-        std::vector<Point> corners = polygon.corners;
-        for (Point& corner : corners) corner = scale * corner + Point(offset);
-        return Polygon(std::move(corners));
-    };
     for (const double scale : {1e-6, 1e6})
         CHECK(formFactor(moved(a, scale, 0), moved(b, scale, 0)) == Approx(0.0794017110027708).epsilon(1e-12));
     CHECK(formFactor(moved(a, 1, 1e6), moved(b, 1, 1e6)) == Approx(0.0794017110027708).epsilon(1e-8));

@@ -8,20 +8,14 @@
 
 namespace radlab::engine {
 
-namespace {
-
-constexpr std::size_t hemisphereRays = 4096, pairRays = 64;
-
-}  // namespace
-
 FormFactorRows::FormFactorRows(const Geometry& shapes, const FormFactorOptions& asked)
-    : geometry(shapes), options(asked) {
-    if (options.method == Method::automatic) options.method = options.occlusion ? Method::visibility : Method::exact;
-    if (options.rays == 0) options.rays = options.method == Method::hemisphere ? hemisphereRays : pairRays;
+    : geometry(shapes), options(settled(asked)) {
     switch (options.method) {
         case Method::hemicube: hemicubes = std::make_unique<Hemicubes>(geometry.patches, options.hemicubeSize); break;
         case Method::hemisphere: scene = std::make_unique<RayScene>(geometry.patches); break;
-        case Method::visibility: visibility = std::make_unique<Visibility>(geometry, options.rays); [[fallthrough]];
+        case Method::visibility:
+            visibility = std::make_unique<Visibility>(geometry, options.rays, options.seed);
+            [[fallthrough]];
         case Method::exact: exchanges = std::make_unique<ExchangeAreas>(geometry.patches, options.tolerance); break;
         default: break;
     }

@@ -60,6 +60,12 @@ bool seesOcclusion(Method method) {
     return method != Method::point && method != Method::polygon && method != Method::exact;
 }
 
+FormFactorOptions settled(FormFactorOptions options) {
+    if (options.method == Method::automatic) options.method = options.occlusion ? Method::visibility : Method::exact;
+    if (options.rays == 0) options.rays = options.method == Method::hemisphere ? hemisphereRays : pairRays;
+    return options;
+}
+
 FormFactorMatrix formFactors(const Geometry& geometry, const FormFactorOptions& options, FormFactorReport* report) {
     const Stopwatch watch;
     FormFactorMatrix matrix(geometry.patches);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,17 +33,22 @@ bool isReciprocal(Method method);
 /// Whether a method takes into account what stands between patches.
 bool seesOcclusion(Method method);
 
+constexpr std::size_t hemisphereRays = 4096, pairRays = 64;  ///< where none are given
+
 struct FormFactorOptions {
     Method method = Method::automatic;
     bool occlusion = true;  ///< whether anything may hide anything: decides what `automatic` is
     std::size_t rays =
-        0;  ///< of `hemisphere` from each patch, 4096 where 0; of `visibility` for each pair that is partly
-            ///< hidden, 64 where 0
+        0;  ///< from each patch for `hemisphere`, for each pair partly hidden for `visibility`; 0: as usual
     int hemicubeSize = 256;  ///< pixels along the edge of a hemicube: even, 8 to 4096
+    std::uint64_t seed = 0;  ///< of `visibility`: another one chooses other rays
     double tolerance =
         1e-6;           ///< of the relative error of what is not hidden, for `exact` and `visibility`; 1e-12 or more
     Progress progress;  ///< counts rows
 };
+
+/// The same options with the method that `automatic` stands for, and the numbers of rays that 0 stands for.
+FormFactorOptions settled(FormFactorOptions options);
 
 /// What a matrix was made with.
 struct FormFactorReport {

@@ -180,13 +180,7 @@ TEST_CASE("methods have names, and an unknown one is told those that there are")
 }
 
 TEST_CASE("a coarser tolerance is kept, pair by pair") {
-    std::vector<Polygon> patches;
-    for (const Polygon& side : boxSides(1, 2, 1.5)) {
-        const Point u = (side.corners[1] - side.corners[0]) / 5.0, v = (side.corners[3] - side.corners[0]) / 7.0;
-        for (int i = 0; i < 5; ++i)
-            for (int j = 0; j < 7; ++j)
-                patches.push_back(parallelogram(side.corners[0] + double(i) * u + double(j) * v, u, v));
-    }
+    const std::vector<Polygon> patches = cut(boxSides(1, 2, 1.5), 5, 7).patches;
     const ExchangeAreas truth(patches, finestTolerance);
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-9}) {
         const ExchangeAreas rough(patches, tolerance);

@@ -49,14 +49,6 @@ HardCase blocked(const std::string& what, Polygon floor, Polygon ceiling, const 
     return hard;
 }
 
-Polygon moved(const Polygon& polygon, double scale, double offset) {
-    std::vector<Point> corners = polygon.corners;
-    for (Point& corner : corners) corner = scale * corner + Point(offset);
-    return Polygon(std::move(corners));
-}
-
-Polygon turned(const Polygon& polygon) { return Polygon({polygon.corners.rbegin(), polygon.corners.rend()}); }
-
 std::vector<HardCase> wedges() {
     const struct {
         double degrees, truth;

@@ -17,22 +17,6 @@ namespace {
 constexpr double unfit = std::numeric_limits<double>::infinity();
 constexpr std::size_t largestMatrix = 5000;  // patches
 
-// Polygons, each in count x count parallelograms.
-Geometry cut(const std::vector<Polygon>& faces, int count) {
-    Geometry geometry;
-    geometry.faces = faces;
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-        const std::vector<Point>& c = faces[face].corners;
-        const Point u = (c[1] - c[0]) / double(count), v = (c[3] - c[0]) / double(count);
-        for (int i = 0; i < count; ++i)
-            for (int j = 0; j < count; ++j) {
-                geometry.patches.push_back(parallelogram(c[0] + double(i) * u + double(j) * v, u, v));
-                geometry.faceOf.push_back(face);
-            }
-    }
-    return geometry;
-}
-
 HardRoom room(const std::string& what, Geometry geometry, double emission, double reflectance) {
     HardRoom made;
     made.what = what;
@@ -75,11 +59,7 @@ std::vector<HardRoom> furnaces() {
 // A cube of six patches whose floor emits 1 and reflects nothing.
 HardRoom litCube(const std::string& what, double size, double offset, double brightness, double allowed) {
     std::vector<Polygon> sides;
-    for (const Polygon& side : boxSides(size, size, size)) {
-        std::vector<Point> corners = side.corners;
-        for (Point& corner : corners) corner += offset;
-        sides.emplace_back(corners);
-    }
+    for (const Polygon& side : boxSides(size, size, size)) sides.push_back(moved(side, 1.0, offset));
     HardRoom made = room(what, geometryOfFaces(sides), 0.0, 0.5);
     made.surfaces.emission[0] = Point(brightness);
     made.surfaces.reflectance[0] = Point(0.0);
@@ -138,11 +118,7 @@ HardRoom junctions() {
 // A cube inside a cube: all that leaves the inner one reaches the outer one.
 HardRoom concentric() {
     std::vector<Polygon> sides = boxSides(3, 3, 3);
-    for (const Polygon& side : boxSides(1, 1, 1)) {
-        std::vector<Point> corners(side.corners.rbegin(), side.corners.rend());
-        for (Point& corner : corners) corner += 1.0;
-        sides.emplace_back(corners);
-    }
+    for (const Polygon& side : boxSides(1, 1, 1)) sides.push_back(turned(moved(side, 1.0, 1.0)));
     HardRoom made = furnace("a furnace with a box in it", cut(sides, 2), 1.0, 0.5);
     made.occlusion = true;
     made.source = "E/(1-ρ) in a closed room; visible shares by rays";

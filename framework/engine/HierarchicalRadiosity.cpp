@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include <tbb/parallel_for.h>
 
 #include "base/Stopwatch.h"
 #include "engine/Links.h"
@@ -45,8 +42,7 @@ public:
 
 private:
     std::vector<double> spread(const std::vector<Point>& ofPatches, int channel) const {
-        std::vector<double> values;
-        for (const Point& color : ofPatches) values.push_back(color[channel]);
+        std::vector<double> values = channelOf(ofPatches, channel);
         tree.pull(values);
         return values;
     }
@@ -60,9 +56,8 @@ private:
 void addFurther(const ChannelExchange& further, const PatchTree& tree, const std::vector<Point>& radiosity,
                 std::vector<Point>& arrived) {
     for (int c = 0; c < 3; ++c) {
-        std::vector<double> sent, exchanged(radiosity.size());
-        for (const Point& b : radiosity) sent.push_back(b[c]);
-        further(c, sent, exchanged);
+        std::vector<double> exchanged(radiosity.size());
+        further(c, channelOf(radiosity, c), exchanged);
         for (std::size_t i = 0; i < arrived.size(); ++i)
             if (tree.area(i) > 0.0) arrived[i][c] += exchanged[i] / tree.area(i);
     }

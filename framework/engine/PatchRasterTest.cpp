@@ -95,20 +95,6 @@ RasterView viewAlong(const Point& forward, const Point& eye, int width, double b
     return view;
 }
 
-std::vector<Polygon> cut(const std::vector<Polygon>& sides, int across, int along) {
-    std::vector<Polygon> patches;
-    for (const Polygon& side : sides) {
-        const auto corner = [&](int i, int j) {
-            return glm::mix(glm::mix(side.corners[0], side.corners[1], double(i) / across),
-                            glm::mix(side.corners[3], side.corners[2], double(i) / across), double(j) / along);
-        };
-        for (int i = 0; i < across; ++i)
-            for (int j = 0; j < along; ++j)
-                patches.push_back(Polygon({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)}));
-    }
-    return patches;
-}
-
 int count(const PatchImage& image, std::uint32_t patch) {
     int found = 0;
     for (int y = 0; y < image.height(); ++y)
@@ -169,7 +155,7 @@ TEST_CASE("raster: every width of instructions draws the same, to the bit") {
 
 TEST_CASE(
     "raster: a closed box of small patches leaves no pixel empty, at any size, also where edges meet pixel centres") {
-    const std::vector<Polygon> box = cut(boxSides(2, 2, 2), 6, 7);
+    const std::vector<Polygon> box = cut(boxSides(2, 2, 2), 6, 7).patches;
     const PatchRaster raster(box);
     PatchImage image;
     RasterView view;
@@ -193,7 +179,7 @@ TEST_CASE("raster: patches that share an edge share no pixel: a plate covers as 
                                             dice.point(0.4) + Point(0, 2, 0));
         RasterView view;
         view.width = 64;
-        const PatchImage whole = drawn({plate}, view), parts = drawn(cut({plate}, 5, 3), view);
+        const PatchImage whole = drawn({plate}, view), parts = drawn(cut({plate}, 5, 3).patches, view);
         CHECK(std::abs(count(whole, none) - count(parts, none)) <= 1);
     }
 }
@@ -201,7 +187,7 @@ TEST_CASE("raster: patches that share an edge share no pixel: a plate covers as 
 TEST_CASE("raster: of surfaces in one place the lower number is shown everywhere, however they are cut") {
     const Polygon plate = parallelogram({-3, -3, 1}, {6, 0, 2}, {0, 6, 1});
     std::vector<Polygon> plates = {plate};
-    for (const Polygon& part : cut({plate}, 7, 5)) plates.push_back(part);
+    for (const Polygon& part : cut({plate}, 7, 5).patches) plates.push_back(part);
     RasterView view;
     view.width = 256;
     const std::size_t parts = plates.size() - 1;

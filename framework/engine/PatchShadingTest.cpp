@@ -3,27 +3,12 @@
 #include <doctest/doctest.h>
 
 #include "engine/LowDiscrepancy.h"
+#include "engine/SceneTestHelp.h"
 #include "engine/Triangles.h"
-#include "scene/X3dReader.h"
 
 using namespace radlab;
 using namespace radlab::engine;
 using doctest::Approx;
-
-namespace {
-
-struct Meshed {
-    Scene scene;
-    PatchMesh mesh;
-    Geometry geometry;
-
-    Meshed(const std::string& name, float size)
-        : scene(readX3d(RADLAB_SOURCE_DIR "/resources/scenes/" + name)),
-          mesh(scene.vertices, scene.faces, size, size),
-          geometry(geometryOf(scene, mesh)) {}
-};
-
-}  // namespace
 
 TEST_CASE("corner weights give back the point, on any convex quadrilateral and triangle") {
     const std::vector<Polygon> shapes = {
@@ -55,7 +40,7 @@ TEST_CASE("corner weights give back the point, on any convex quadrilateral and t
 TEST_CASE(
     "at a corner a smooth face has the mean of the patches that share it, in the middle of a patch that of its "
     "corners") {
-    const Meshed furnace("furnace.x3d", 0.5f);
+    const CutScene furnace("furnace.x3d", 0.5f);
     std::vector<Point> radiosity;
     for (std::size_t i = 0; i < furnace.geometry.patches.size(); ++i) radiosity.emplace_back(double(i % 4), 1.0, 0.0);
     const PatchShading smooth(furnace.mesh, furnace.geometry, radiosity);
@@ -72,12 +57,12 @@ TEST_CASE(
 TEST_CASE(
     "faces that are one patch are flat, with nothing done for their corners, unless they are parts of a curved "
     "surface") {
-    const Meshed furnace("furnace.x3d", 10.0f);
+    const CutScene furnace("furnace.x3d", 10.0f);
     const std::vector<Point> radiosity(6, Point(1, 2, 3));
     const PatchShading flat(furnace.mesh, furnace.geometry, radiosity);
     CHECK(flat.smoothPatches() == 0);
     CHECK(flat.radiosityAt(4, furnace.geometry.patches[4].corners[1]) == Point(1, 2, 3));
-    const Meshed teapot("teapot.x3d", 100.0f);
+    const CutScene teapot("teapot.x3d", 100.0f);
     const std::vector<Point> same(teapot.geometry.patches.size(), Point(1.0));
     CHECK(PatchShading(teapot.mesh, teapot.geometry, same).smoothPatches() > same.size() / 2);
 }

@@ -13,7 +13,7 @@
 #include "engine/FormFactors.h"
 #include "engine/Picture.h"
 #include "engine/Radiosity.h"
-#include "scene/X3dReader.h"
+#include "engine/SceneTestHelp.h"
 
 using namespace radlab;
 using namespace radlab::engine;
@@ -49,21 +49,14 @@ double offBy(const PathRadiosity& found, std::size_t patch, double expected) {
     return std::abs(found.radiosity[patch].g - expected) / found.standardError[patch].g;
 }
 
-struct Sample {
-    Scene scene;
-    PatchMesh mesh;
-    Geometry geometry;
-
-    Sample(const std::string& name, float size)
-        : scene(readX3d(RADLAB_SOURCE_DIR "/resources/scenes/" + name)),
-          mesh(scene.vertices, scene.faces, size, size),
-          geometry(geometryOf(scene, mesh)) {}
+struct Sample : CutScene {
+    using CutScene::CutScene;
 
     std::vector<Point> solved(std::size_t raysForPair) const {
         FormFactorOptions options;
         options.method = Method::visibility;
         options.rays = raysForPair;
-        return solveRadiosity(formFactors(geometry, options), surfacesOf(mesh));
+        return solveRadiosity(formFactors(geometry, options), surfaces);
     }
 
     PathRadiosity traced(const PathRadiosityOptions& options) const {

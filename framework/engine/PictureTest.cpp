@@ -7,7 +7,7 @@
 #include <tbb/global_control.h>
 
 #include "engine/ClosedFormRoom.h"
-#include "scene/X3dReader.h"
+#include "engine/SceneTestHelp.h"
 
 using namespace radlab;
 using namespace radlab::engine;
@@ -64,17 +64,11 @@ struct Solved {
 };
 
 // A scene of the project, its patches shining as their centres lie.
-struct Sample {
-    Scene scene;
-    PatchMesh mesh;
-    Geometry geometry;
+struct Sample : CutScene {
     std::vector<Point> radiosity;
     Frame frame;
 
-    Sample(const std::string& name, float size, int width, int height)
-        : scene(readX3d(RADLAB_SOURCE_DIR "/resources/scenes/" + name)),
-          mesh(scene.vertices, scene.faces, size, size),
-          geometry(geometryOf(scene, mesh)) {
+    Sample(const std::string& name, double size, int width, int height) : CutScene(name, size) {
         for (const Polygon& patch : geometry.patches) radiosity.push_back(glm::abs(patch.center) + 1.0);
         frame.camera = scene.cameras[0];
         frame.width = width;

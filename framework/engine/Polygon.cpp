@@ -57,6 +57,11 @@ Range heightsOver(const Polygon& polygon, const Point& on, const Point& normal) 
     return range;
 }
 
+bool faceEachOther(const Polygon& a, const Polygon& b) {
+    return heightsOver(b, a.center, a.normal).high > planeTolerance * b.radius &&
+           heightsOver(a, b.center, b.normal).high > planeTolerance * a.radius;
+}
+
 Polygon frontPart(const Polygon& polygon, const Point& on, const Point& normal) {
     const std::size_t count = polygon.corners.size();
     std::vector<double> heights;

@@ -44,6 +44,9 @@ struct Range {
 /// How far the corners of a polygon stand out of a plane, as computed.
 Range heightsOver(const Polygon& polygon, const Point& on, const Point& normal);
 
+/// Whether some of each polygon stands in front of the other's plane, beyond rounding.
+bool faceEachOther(const Polygon& a, const Polygon& b);
+
 /// The part of a polygon in front of a plane; a polygon without corners where nothing is.
 ///
 /// @param on      a point of the plane

@@ -20,12 +20,6 @@ double dot(const Values& a, const Values& b) {
     return sum;
 }
 
-Values channelOf(const std::vector<Point>& colors, int channel) {
-    Values values;
-    for (const Point& color : colors) values.push_back(color[channel]);
-    return values;
-}
-
 Values exchanged(const Transport& transport, const Values& x) {
     Values result(x.size());
     transport.exchange(x, result);
@@ -153,6 +147,12 @@ Surfaces surfacesOf(const PatchMesh& mesh) {
         surfaces.reflectance.emplace_back(patch.diffuse);
     }
     return surfaces;
+}
+
+std::vector<double> channelOf(const std::vector<Point>& colors, int channel) {
+    std::vector<double> values;
+    for (const Point& color : colors) values.push_back(color[channel]);
+    return values;
 }
 
 Transport transportOf(const FormFactorMatrix& matrix) {

@@ -17,6 +17,9 @@ struct Surfaces {
     std::vector<Point> reflectance;  ///< ρ, 0 to 1
 };
 
+/// One channel of all patches' colours.
+std::vector<double> channelOf(const std::vector<Point>& colors, int channel);
+
 /// The surfaces of a mesh's patches.
 Surfaces surfacesOf(const PatchMesh& mesh);
 

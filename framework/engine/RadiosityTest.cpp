@@ -23,17 +23,7 @@ FormFactorMatrix exactMatrix(const std::vector<Polygon>& patches) {
 }
 
 // Every side of a box in count x count squares.
-std::vector<Polygon> finerBox(int count) {
-    std::vector<Polygon> patches;
-    for (const Polygon& side : boxSides(1, 1, 1)) {
-        const Point u = (side.corners[1] - side.corners[0]) / double(count),
-                    v = (side.corners[3] - side.corners[0]) / double(count);
-        for (int i = 0; i < count; ++i)
-            for (int j = 0; j < count; ++j)
-                patches.push_back(parallelogram(side.corners[0] + double(i) * u + double(j) * v, u, v));
-    }
-    return patches;
-}
+std::vector<Polygon> finerBox(int count) { return cut(boxSides(1, 1, 1), count).patches; }
 
 Surfaces grey(std::size_t count, double emission, double reflectance) {
     return {std::vector<Point>(count, Point(emission)), std::vector<Point>(count, Point(reflectance))};

@@ -151,6 +151,7 @@ bool RayScene::hides(const Point& from, const Point& to, std::size_t first, std:
 
 double RayScene::transmittance(const Point& from, const Point& to, std::size_t first, std::size_t second,
                                const std::vector<double>& through) const {
+    if (through.empty()) return hides(from, to, first, second) ? 0.0 : 1.0;
     traced.fetch_add(1, std::memory_order_relaxed);
     Passing passing = tree->passing(polygonOf, first, second);
     passing.through = through.data();

@@ -34,8 +34,6 @@ constexpr int mostPanes = 64;  ///< on one line; what more let through is nothin
 /// Rays run in floats, in a frame with its origin in the middle of the scene. May be asked by several threads at once.
 class RayScene {
 public:
-    static constexpr std::size_t nothing = RayHit::nothing;
-
     /// @cost a tree over all triangles
     explicit RayScene(const std::vector<Polygon>& polygons);
     ~RayScene();
@@ -47,7 +45,7 @@ public:
 
     /// The share of light that gets from one point to another past all but the two named polygons.
     ///
-    /// @param through of each polygon
+    /// @param through of each polygon; empty where all are opaque
     double transmittance(const Point& from, const Point& to, std::size_t first, std::size_t second,
                          const std::vector<double>& through) const;
 

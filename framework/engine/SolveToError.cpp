@@ -52,9 +52,7 @@ private:
         solution.mesh = std::make_unique<PatchMesh>(scene.vertices, scene.faces, size, size);
         solution.geometry = geometryOf(scene, *solution.mesh);
         solution.surfaces = surfacesOf(*solution.mesh, scatteringsOf(scene));
-        FormFactorOptions options;
-        options.rays = raysOfWork;
-        ways = waysFor(workOf(scene, solution.geometry, options), effects);
+        ways = waysFor(workOf(scene, solution.geometry, {}), effects);
     }
 
     void solve() {
@@ -90,7 +88,6 @@ private:
             worse *= 1.5;
     }
 
-    static constexpr std::size_t raysOfWork = 64;
     const Scene& scene;
     const Effects& effects;
     const ErrorGoal& goal;

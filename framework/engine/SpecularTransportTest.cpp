@@ -38,18 +38,8 @@ struct Room {
     std::vector<Scattering> scatterings;
 
     Room(const std::vector<Polygon>& faces, std::vector<Scattering> materials, int count = 1)
-        : scatterings(std::move(materials)) {
-        geometry.faces = faces;
+        : geometry(cut(faces, count)), scatterings(std::move(materials)) {
         geometry.through = throughOf(scatterings);
-        for (std::size_t face = 0; face < faces.size(); ++face) {
-            const std::vector<Point>& c = faces[face].corners;
-            const Point along = (c[1] - c[0]) / double(count), across = (c[3] - c[0]) / double(count);
-            for (int i = 0; i < count * count; ++i) {
-                geometry.patches.push_back(
-                    parallelogram(c[0] + double(i / count) * along + double(i % count) * across, along, across));
-                geometry.faceOf.push_back(face);
-            }
-        }
     }
 
     Surfaces surfaces() const {

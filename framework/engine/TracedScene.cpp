@@ -33,7 +33,6 @@ SurfacePoint TracedScene::meet(const Point& from, const Point& direction, std::s
 }
 
 double TracedScene::transmittance(const Point& from, const Point& to, std::size_t first, std::size_t second) const {
-    if (through.empty()) return rayScene.hides(from, to, first, second) ? 0.0 : 1.0;
     return rayScene.transmittance(from, to, first, second, through);
 }
 

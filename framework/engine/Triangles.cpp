@@ -44,17 +44,21 @@ std::vector<Triangle> trianglesOf(const Polygon& polygon) {
     return triangles;
 }
 
+Shares::Drawn Shares::draw(double u) const {
+    const double at = u * sum;
+    const auto found = std::upper_bound(upTo.begin(), upTo.end() - 1, at);
+    const double before = found == upTo.begin() ? 0.0 : *(found - 1);
+    return {static_cast<std::size_t>(found - upTo.begin()), std::clamp((at - before) / (*found - before), 0.0, 1.0)};
+}
+
 AreaSampler::AreaSampler(const Polygon& polygon) : triangles(trianglesOf(polygon)) {
-    double sum = 0.0;
-    for (const Triangle& triangle : triangles) upTo.push_back(sum += areaOf(triangle));
-    for (double& share : upTo) share /= sum;
+    for (const Triangle& triangle : triangles) shares.add(areaOf(triangle));
 }
 
 Point AreaSampler::at(double u, double v) const {
-    const auto found = std::upper_bound(upTo.begin(), upTo.end() - 1, u);
-    const double before = found == upTo.begin() ? 0.0 : *(found - 1);
-    const Triangle& t = triangles[static_cast<std::size_t>(found - upTo.begin())];
-    const double root = std::sqrt(std::clamp((u - before) / (*found - before), 0.0, 1.0));
+    const Shares::Drawn drawn = shares.draw(u);
+    const Triangle& t = triangles[drawn.which];
+    const double root = std::sqrt(drawn.rest);
     return (1.0 - root) * t[0] + root * ((1.0 - v) * t[1] + v * t[2]);
 }
 

@@ -19,6 +19,31 @@ std::vector<Polygon> convexPiecesOf(const Polygon& polygon);
 /// @pre no two of its edges cross
 std::vector<Triangle> trianglesOf(const Polygon& polygon);
 
+/// Things to be drawn by their weights.
+class Shares {
+public:
+    /// Adds a thing.
+    ///
+    /// @param weight > 0
+    void add(double weight) { upTo.push_back(sum += weight); }
+
+    struct Drawn {
+        std::size_t which;
+        double rest;  ///< 0 to 1, spread evenly where the number drawn by is
+    };
+
+    /// The thing for a number from 0 to 1.
+    ///
+    /// @pre there are things
+    Drawn draw(double u) const;
+
+    double total() const { return sum; }
+
+private:
+    std::vector<double> upTo;  // weights up to and with each thing
+    double sum = 0.0;
+};
+
 /// A point of a polygon for two numbers from 0 to 1: where these are spread evenly, the points are.
 class AreaSampler {
 public:
@@ -27,7 +52,7 @@ public:
 
 private:
     std::vector<Triangle> triangles;
-    std::vector<double> upTo;  // the share of the area up to and with each triangle
+    Shares shares;
 };
 
 }  // namespace radlab::engine

@@ -33,19 +33,15 @@ Visibility::Visibility(const Geometry& shapes, std::size_t most, std::uint64_t s
 double Visibility::visibleShare(std::size_t first, std::size_t second, std::size_t rays) const {
     if (!shafts) {
         const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
-        return shareByRays(first, second, rays, firstRays,
-                           [&](const Point& from, const Point& to) { return passing(from, to, faceA, faceB); });
+        return shareByRays(first, second, rays, firstRays, [&](const Point& from, const Point& to) {
+            return scene->transmittance(from, to, faceA, faceB, geometry.through);
+        });
     }
     thread_local std::vector<const Blocker*> between;
     const Sight sight = shafts->sight(first, second, between);
     if (sight != Sight::partly) return sight == Sight::clear ? 1.0 : 0.0;
     return shareByRays(first, second, rays, rays,
-                       [&](const Point& from, const Point& to) { return engine::passing(between, from, to); });
-}
-
-double Visibility::passing(const Point& from, const Point& to, std::size_t faceA, std::size_t faceB) const {
-    if (geometry.through.empty()) return scene->hides(from, to, faceA, faceB) ? 0.0 : 1.0;
-    return scene->transmittance(from, to, faceA, faceB, geometry.through);
+                       [&](const Point& from, const Point& to) { return passing(between, from, to); });
 }
 
 Sight Visibility::sight(std::size_t first, std::size_t second) const {

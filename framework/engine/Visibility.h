@@ -38,7 +38,6 @@ public:
     std::size_t rays() const { return traced; }
 
 private:
-    double passing(const Point& from, const Point& to, std::size_t faceA, std::size_t faceB) const;
     template <class Share>
     double shareByRays(std::size_t first, std::size_t second, std::size_t most, std::size_t deciding,
                        const Share& share) const;

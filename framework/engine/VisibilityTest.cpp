@@ -15,26 +15,17 @@ namespace {
 
 // A room with a turned block on its floor and a concave board in the air, each side in count x count patches.
 Geometry furnishedRoom(int count) {
-    Geometry room;
-    room.faces = boxSides(4, 4, 3);
+    std::vector<Polygon> faces = boxSides(4, 4, 3);
     const Point foot(1.2, 1.4, 0), u(0.9, 0.4, 0), v(-0.4, 0.9, 0), up(0, 0, 1.3);
     for (const Polygon& side :
          {parallelogram(foot + up, u, v), parallelogram(foot, u, up), parallelogram(foot + u, v, up),
           parallelogram(foot + u + v, -u, up), parallelogram(foot + v, -v, up)})
-        room.faces.push_back(side);
-    room.faces.push_back(Polygon({Point(2, 2, 2), Point(3.5, 2.2, 2.3), Point(2.5, 2.5, 2.2), Point(2.3, 3.5, 2.3)}));
-    for (std::size_t face = 0; face < room.faces.size(); ++face) {
-        const std::vector<Point>& c = room.faces[face].corners;
-        const Point along = (c[1] - c[0]) / double(count), across = (c[3] - c[0]) / double(count);
-        const bool board = face + 1 == room.faces.size();
-        for (int i = 0; i < count * count; ++i) {
-            room.patches.push_back(
-                board ? room.faces[face]
-                      : parallelogram(c[0] + double(i / count) * along + double(i % count) * across, along, across));
-            room.faceOf.push_back(face);
-            if (board) break;
-        }
-    }
+        faces.push_back(side);
+    Geometry room = cut(faces, count);
+    const Polygon board({Point(2, 2, 2), Point(3.5, 2.2, 2.3), Point(2.5, 2.5, 2.2), Point(2.3, 3.5, 2.3)});
+    room.faceOf.push_back(room.faces.size());
+    room.faces.push_back(board);
+    room.patches.push_back(board);
     return room;
 }
 

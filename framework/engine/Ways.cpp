@@ -26,7 +26,6 @@ constexpr std::array<Links, 6> links{{{1e-1, 1.2e-2, 8e-6, 2.8e-5},
                                       {1e-4, 2.4e-3, 3.1e-5, 1.1e-4},
                                       {1e-5, 7.3e-4, 9e-5, 2.9e-4},
                                       {1e-6, 3e-4, 2.5e-4, 8e-4}}};
-constexpr double bytesForLinks = 4096.0;  // a patch
 
 struct Size {
     double size, error;
@@ -48,10 +47,10 @@ Way byMatrix(const Work& work, const Effects& effects, Method method, double set
         asked.options.hemicubeSize = static_cast<int>(setting);
     else
         asked.options.rays = static_cast<std::size_t>(setting);
-    if (method == Method::visibility && work.options.rays > 0)
-        asked.raysPerPair = work.raysPerPair * setting / static_cast<double>(work.options.rays);
+    if (method == Method::visibility)
+        asked.raysPerPair *= setting / static_cast<double>(work.options.rays > 0 ? work.options.rays : pairRays);
     const Cost cost = expectedCost(asked, effects);
-    return {false, method, setting, error, cost.formFactors + cost.radiosities, cost.bytes};
+    return {false, method, setting, error, cost.formFactors + cost.radiosities};
 }
 
 }  // namespace
@@ -74,8 +73,8 @@ std::vector<Way> waysFor(const Work& work, const Effects& effects) {
     const double patches = static_cast<double>(work.patches);
     std::vector<Way> ways;
     for (const measured::Links& one : measured::links)
-        ways.push_back({true, Method::automatic, one.threshold, one.error,
-                        patches * (occlusion ? one.hidden : one.clear), patches * measured::bytesForLinks});
+        ways.push_back(
+            {true, Method::automatic, one.threshold, one.error, patches * (occlusion ? one.hidden : one.clear)});
     if (!occlusion) {
         ways.push_back(byMatrix(work, effects, Method::exact, 0.0, measured::exact));
         return ways;

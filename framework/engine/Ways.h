@@ -15,7 +15,6 @@ struct Way {
     double setting = 0.0;  ///< threshold of links, size of hemicubes, rays of hemisphere and visibility; 0: none
     double error = 0.0;    ///< expected RMS error over RMS radiosity, on a given mesh
     double seconds = 0.0;  ///< expected
-    double bytes = 0.0;    ///< expected
 };
 
 /// "links, threshold 0.001", "visibility, 16 rays".

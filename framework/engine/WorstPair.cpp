@@ -13,11 +13,6 @@ namespace {
 constexpr std::size_t mostRows = 256;
 constexpr double worthTelling = 0.05;
 
-bool facing(const Polygon& a, const Polygon& b) {
-    return heightsOver(b, a.center, a.normal).high > planeTolerance * b.radius &&
-           heightsOver(a, b.center, b.normal).high > planeTolerance * a.radius;
-}
-
 // The patch that is nearest for its size and faces one; that one itself where there is none.
 std::size_t nearestOf(const std::vector<Polygon>& patches, std::size_t from) {
     std::size_t nearest = from;
@@ -26,7 +21,7 @@ std::size_t nearestOf(const std::vector<Polygon>& patches, std::size_t from) {
         if (j == from || !(patches[j].area > 0.0)) continue;
         const double distance =
             glm::length(patches[j].center - patches[from].center) / (patches[j].radius + patches[from].radius);
-        if (distance >= least || !facing(patches[from], patches[j])) continue;
+        if (distance >= least || !faceEachOther(patches[from], patches[j])) continue;
         least = distance;
         nearest = j;
     }
