@@ -8,7 +8,6 @@
 
 #include "base/Error.h"
 #include "engine/EdgeIntegral.h"
-#include "engine/GaussLegendre.h"
 #include "engine/PointFormFactor.h"
 
 namespace radlab::engine {
@@ -16,19 +15,9 @@ namespace radlab::engine {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int mostFarOrder = 6;  // above that, the outlines are cheaper
-constexpr int mostNearOrder = 12;
+constexpr int mostFarOrder = 6;     // above that, the outlines are cheaper
 constexpr double muchLarger = 8.0;  // radii: above that, a polygon is cut before its outline is followed
 constexpr std::size_t lanes = 4;
-
-// How many nodes Gauss-Legendre needs in each direction for a function whose nearest singularity is that many half
-// lengths off the middle: its error falls as ρ^(-2 order), with ρ the size of the ellipse through the singularity. Measured on
-// squares in random places, the largest error is at most 8 times the distance times that.
-double orderFor(double distance, double tolerance) {
-    if (distance <= 1.0) return INFINITY;
-    const double ellipse = distance + std::sqrt(distance * distance - 1.0);
-    return std::ceil(0.5 * std::log(8.0 * distance / tolerance) / std::log(ellipse));
-}
 
 std::size_t paddedTo(std::size_t multiple, std::size_t count) { return (count + multiple - 1) / multiple * multiple; }
 
@@ -58,18 +47,17 @@ NodeTable::Nodes nodesOf(const Polygon& polygon, int order, std::vector<double>&
     return nodesAt(numbers.data(), nodes.size());
 }
 
-// What one node sees of all nodes of a polygon; the sums run side by side, so that they can share instructions.
-double rowSum(const Point& from, const Point& normal, const NodeTable::Nodes& to, const Point& toNormal) {
-    double sums[lanes] = {};
+// Adds what one node sees of all nodes of a polygon; the sums run side by side, so that they can share instructions.
+inline void addRow(double sums[lanes], double weight, const Point& from, const Point& normal,
+                   const NodeTable::Nodes& to, const Point& toNormal) {
     for (std::size_t k = 0; k < to.padded; k += lanes)
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const double x = to.x[k + lane] - from.x, y = to.y[k + lane] - from.y, z = to.z[k + lane] - from.z;
             const double distance2 = x * x + y * y + z * z;
             const double away = x * normal.x + y * normal.y + z * normal.z;
             const double towards = x * toNormal.x + y * toNormal.y + z * toNormal.z;
-            sums[lane] -= to.weight[k + lane] * away * towards / (distance2 * distance2);
+            sums[lane] -= weight * to.weight[k + lane] * away * towards / (distance2 * distance2);
         }
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 // Compiled for AVX2, too, where the compiler can choose when the program starts; not with fused multiplications, so that
@@ -82,10 +70,10 @@ double rowSum(const Point& from, const Point& normal, const NodeTable::Nodes& to
 
 RADLAB_WIDE double byNodes(const NodeTable::Nodes& a, const Point& normalA, const NodeTable::Nodes& b,
                            const Point& normalB) {
-    double sum = 0.0;
+    double sums[lanes] = {};
     for (std::size_t k = 0; k < a.count; ++k)
-        sum += a.weight[k] * rowSum(Point(a.x[k], a.y[k], a.z[k]), normalA, b, normalB);
-    return sum / pi;
+        addRow(sums, a.weight[k], Point(a.x[k], a.y[k], a.z[k]), normalA, b, normalB);
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) * std::numbers::inv_pi;
 }
 
 double fromNodes(const Polygon& small, int order, const Polygon& large) {
@@ -119,10 +107,10 @@ double alongOutlines(const Polygon& a, const Polygon& b, double tolerance) {
     return sum / (2.0 * pi) * unit * unit;
 }
 
-double between(const Polygon& a, const Polygon& b, double tolerance);
+double between(const Polygon& a, const Polygon& b, const GaussOrders& orders);
 
 // The larger polygon in four pieces, by two planes through its centre.
-double cutLarger(const Polygon& small, const Polygon& large, double tolerance) {
+double cutLarger(const Polygon& small, const Polygon& large, const GaussOrders& orders) {
     const Point along = glm::normalize(large.corners[1] - large.corners[0]), across = glm::cross(large.normal, along);
     double sum = 0.0;
     for (const Point& first : {along, -along}) {
@@ -130,49 +118,55 @@ double cutLarger(const Polygon& small, const Polygon& large, double tolerance) {
         if (half.corners.empty()) continue;
         for (const Point& second : {across, -across}) {
             const Polygon quarter = frontPart(half, large.center, second);
-            if (quarter.area > 0.0) sum += between(small, quarter, tolerance);
+            if (quarter.area > 0.0) sum += between(small, quarter, orders);
         }
     }
     return sum;
 }
 
 struct Orders {
-    double a, b;
-    bool far() const { return std::max(a, b) <= mostFarOrder; }
+    int a, b;
+    int highest() const { return std::max(a, b); }
 };
 
-Orders ordersFor(const Polygon& a, const Polygon& b, double distance, double tolerance) {
-    return {orderFor((distance - b.radius) / a.radius, tolerance),
-            orderFor((distance - a.radius) / b.radius, tolerance)};
+Orders ordersFor(const Polygon& a, const Polygon& b, double distance, const GaussOrders& orders) {
+    return {orders.at((distance - b.radius) / a.radius), orders.at((distance - a.radius) / b.radius)};
 }
 
 // Two polygons that are too near for nodes on both.
-double near(const Polygon& a, const Polygon& b, double tolerance) {
-    if (a.radius > b.radius) return near(b, a, tolerance);
-    const double order = orderFor(distanceToOutline(a.center, b) / a.radius, tolerance);
-    if (order <= mostNearOrder) return fromNodes(a, static_cast<int>(order), b);
-    return b.radius > muchLarger * a.radius ? cutLarger(a, b, tolerance) : alongOutlines(a, b, 0.1 * tolerance);
+double near(const Polygon& a, const Polygon& b, const GaussOrders& orders) {
+    if (a.radius > b.radius) return near(b, a, orders);
+    const int order = orders.at(distanceToOutline(a.center, b) / a.radius);
+    if (order <= GaussOrders::most) return fromNodes(a, order, b);
+    return b.radius > muchLarger * a.radius ? cutLarger(a, b, orders) : alongOutlines(a, b, 0.1 * orders.tolerance());
 }
 
 double far(const Polygon& a, const Polygon& b, const Orders& orders) {
     thread_local std::vector<double> ofA, ofB;
-    return byNodes(nodesOf(a, static_cast<int>(orders.a), ofA), a.normal, nodesOf(b, static_cast<int>(orders.b), ofB),
-                   b.normal);
+    return byNodes(nodesOf(a, orders.a, ofA), a.normal, nodesOf(b, orders.b, ofB), b.normal);
 }
 
-double between(const Polygon& a, const Polygon& b, double tolerance) {
-    const Orders orders = ordersFor(a, b, glm::length(b.center - a.center), tolerance);
-    return orders.far() ? far(a, b, orders) : near(a, b, tolerance);
+double between(const Polygon& a, const Polygon& b, const GaussOrders& orders) {
+    const Orders both = ordersFor(a, b, glm::length(b.center - a.center), orders);
+    return both.highest() <= mostFarOrder ? far(a, b, both) : near(a, b, orders);
 }
 
 enum class Side { front, back, across };
 
 // On which side of its plane a polygon has another one; what touches the plane up to rounding is not across it.
-Side sideOf(const Polygon& plane, const Polygon& polygon, double distance) {
-    const Range heights = heightsOver(polygon, plane.center, plane.normal);
+Side sideOf(const Polygon& plane, const Polygon& polygon, const Point& between, double distance) {
     const double rounding = planeTolerance * (distance + polygon.radius);
+    const double height = glm::dot(between, plane.normal);
+    if (std::abs(height) > polygon.radius + rounding) return height > 0.0 ? Side::front : Side::back;
+    const Range heights = heightsOver(polygon, plane.center, plane.normal);
     if (heights.high <= rounding) return Side::back;
     return heights.low >= -rounding ? Side::front : Side::across;
+}
+
+const GaussOrders& ordersWithin(double tolerance) {
+    thread_local GaussOrders last(tolerance);
+    if (last.tolerance() != tolerance) last = GaussOrders(tolerance);
+    return last;
 }
 
 }  // namespace
@@ -181,7 +175,7 @@ double exchangeArea(const Polygon& a, const Polygon& b, double tolerance) {
     RADLAB_CHECK(tolerance >= finestTolerance);
     const Polygon inFrontA = frontPart(a, b.center, b.normal), inFrontB = frontPart(b, a.center, a.normal);
     if (!(inFrontA.area > 0.0) || !(inFrontB.area > 0.0)) return 0.0;
-    return std::max(between(inFrontA, inFrontB, tolerance), 0.0);
+    return std::max(between(inFrontA, inFrontB, ordersWithin(tolerance)), 0.0);
 }
 
 NodeTable::NodeTable(const std::vector<Polygon>& polygons, int order) : first(polygons.size() + 1) {
@@ -199,7 +193,7 @@ NodeTable::Nodes NodeTable::of(std::size_t polygon) const {
     return nodesAt(numbers.data() + first[polygon], counts[polygon]);
 }
 
-ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double error) : polygons(list), tolerance(error) {
+ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double tolerance) : polygons(list), orders(tolerance) {
     RADLAB_CHECK(tolerance >= finestTolerance);
     for (int order = 1; order <= keptOrders; ++order) nodes[order - 1] = NodeTable(polygons, order);
 }
@@ -207,15 +201,15 @@ ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double error) : p
 double ExchangeAreas::operator()(std::size_t i, std::size_t j) const {
     const Polygon &a = polygons[i], &b = polygons[j];
     if (!(a.area > 0.0) || !(b.area > 0.0)) return 0.0;
-    const double distance = glm::length(b.center - a.center);
-    const Side ofA = sideOf(a, b, distance), ofB = sideOf(b, a, distance);
+    const Point between = b.center - a.center;
+    const double distance = glm::length(between);
+    const Side ofA = sideOf(a, b, between, distance), ofB = sideOf(b, a, -between, distance);
     if (ofA == Side::back || ofB == Side::back) return 0.0;
-    if (ofA == Side::across || ofB == Side::across) return exchangeArea(a, b, tolerance);
-    const Orders orders = ordersFor(a, b, distance, tolerance);
-    if (!orders.far()) return std::max(near(a, b, tolerance), 0.0);
-    const auto orderA = static_cast<std::size_t>(orders.a), orderB = static_cast<std::size_t>(orders.b);
-    if (std::max(orderA, orderB) > keptOrders) return std::max(far(a, b, orders), 0.0);
-    return std::max(byNodes(nodes[orderA - 1].of(i), a.normal, nodes[orderB - 1].of(j), b.normal), 0.0);
+    if (ofA == Side::across || ofB == Side::across) return exchangeArea(a, b, orders.tolerance());
+    const Orders both = ordersFor(a, b, distance, orders);
+    if (both.highest() > mostFarOrder) return std::max(near(a, b, orders), 0.0);
+    if (both.highest() > keptOrders) return std::max(far(a, b, both), 0.0);
+    return std::max(byNodes(nodes[both.a - 1].of(i), a.normal, nodes[both.b - 1].of(j), b.normal), 0.0);
 }
 
 }  // namespace radlab::engine

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/GaussOrder.h"
 #include "engine/Polygon.h"
 
 namespace radlab::engine {
@@ -57,7 +58,7 @@ private:
     static constexpr int keptOrders = 4;
 
     const std::vector<Polygon>& polygons;
-    double tolerance;
+    GaussOrders orders;
     NodeTable nodes[keptOrders];
 };
 

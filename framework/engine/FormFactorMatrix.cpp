@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <new>
 
 #include <tbb/parallel_for.h>
 
@@ -61,7 +62,8 @@ FormFactorMatrix::FormFactorMatrix(const std::vector<Polygon>& patches) {
     requireMemory(count * count * sizeof(double), "the form factors of " + std::to_string(patches.size()) + " patches",
                   "take larger patches");
     for (const Polygon& patch : patches) patchAreas.push_back(patch.area);
-    factors.resize(patches.size() * patches.size());
+    factors.reset(static_cast<double*>(std::calloc(std::max<std::size_t>(size() * size(), 1), sizeof(double))));
+    if (!factors) throw std::bad_alloc();
 }
 
 MatrixQuality qualityOf(const FormFactorMatrix& matrix) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,16 @@ public:
     std::size_t size() const { return patchAreas.size(); }
     double& at(std::size_t i, std::size_t j) { return factors[i * size() + j]; }
     double at(std::size_t i, std::size_t j) const { return factors[i * size() + j]; }
-    const double* row(std::size_t i) const { return factors.data() + i * size(); }
+    const double* row(std::size_t i) const { return factors.get() + i * size(); }
     const std::vector<double>& areas() const { return patchAreas; }
 
 private:
+    struct Freed {
+        void operator()(double* numbers) const { std::free(numbers); }
+    };
+
     std::vector<double> patchAreas;
-    std::vector<double> factors;
+    std::unique_ptr<double[], Freed> factors;  // from calloc: pages come when the threads that fill them ask
 };
 
 /// How well a matrix keeps the two laws that form factors obey.
