@@ -1,6 +1,7 @@
 #include "engine/Links.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <tbb/parallel_for.h>
 
@@ -8,7 +9,7 @@ namespace radlab::engine {
 
 namespace {
 
-constexpr std::size_t gatherRays = 8;  // for each link of a patch: it has many, and their noise evens out
+constexpr double gatherRays = 96.0;  // for each patch, over its links by what they carry
 
 // The links of every node, those of one node together.
 struct Sorted {
@@ -117,21 +118,73 @@ Transport Links::transport() const {
             }};
 }
 
-std::vector<Point> Links::gathered(std::vector<Point> radiosity) const {
-    const Sorted sorted(links, tree.size());
-    tree.pull(radiosity);
+// What arrives at patches over the links of their clusters, each taken for the patch alone.
+class Links::Gathering {
+public:
+    Gathering(const Links& between, const std::vector<Point>& radiosity)
+        : links(between),
+          tree(links.tree),
+          sorted(links.links, tree.size()),
+          sent(radiosity),
+          hiding(sorted.ends.size()) {
+        tree.pull(sent);
+        tbb::parallel_for(tree.leaves(), tree.size(), [&](std::size_t cluster) {
+            for (std::size_t k = sorted.first[cluster]; k < sorted.first[cluster + 1]; ++k)
+                if (isPartly(k)) links.visibility->sight(cluster, sorted.ends[k].other, hiding[k]);
+        });
+    }
+
+    Point arrivingAt(std::uint32_t patch) const {
+        thread_local std::vector<Hidden> hidden;
+        hidden.clear();
+        Point sum = overOwn(patch);
+        double partly = 0.0;
+        for (std::uint32_t up = tree.node(patch).parent; up != PatchTree::none; up = tree.node(up).parent)
+            for (std::size_t k = sorted.first[up]; k < sorted.first[up + 1]; ++k) {
+                const Point light = links.unhidden(patch, sorted.ends[k].other) * sent[sorted.ends[k].other];
+                if (!isPartly(k))
+                    sum += light;
+                else if (light != Point(0.0)) {
+                    hidden.push_back({k, light});
+                    partly += added(light);
+                }
+            }
+        const double raysByLight = gatherRays / (added(sum) + partly);
+        for (const Hidden& one : hidden)
+            sum += one.light *
+                   links.visibility->sharePast(hiding[one.end], patch, sorted.ends[one.end].other,
+                                               static_cast<std::size_t>(std::ceil(raysByLight * added(one.light))));
+        return sum / tree.area(patch);
+    }
+
+private:
+    struct Hidden {
+        std::size_t end;
+        Point light;  // if nothing hid it
+    };
+
+    static double added(const Point& light) { return light.x + light.y + light.z; }
+    bool isPartly(std::size_t end) const { return sorted.ends[end].share < 1.0; }
+
+    Point overOwn(std::uint32_t patch) const {
+        Point sum(0.0);
+        for (std::size_t k = sorted.first[patch]; k < sorted.first[patch + 1]; ++k)
+            sum += sorted.ends[k].exchange * sorted.ends[k].share * sent[sorted.ends[k].other];
+        return sum;
+    }
+
+    const Links& links;
+    const PatchTree& tree;
+    Sorted sorted;
+    std::vector<Point> sent;
+    std::vector<Blockers> hiding;  // of each link that is not clear
+};
+
+std::vector<Point> Links::gathered(const std::vector<Point>& radiosity) const {
+    const Gathering gathering(*this, radiosity);
     std::vector<Point> arrived(tree.leaves(), Point(0.0));
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(tree.leaves()), [&](std::uint32_t patch) {
-        if (!(tree.area(patch) > 0.0)) return;
-        for (std::uint32_t up = patch; up != PatchTree::none; up = tree.node(up).parent)
-            for (std::size_t k = sorted.first[up]; k < sorted.first[up + 1]; ++k) {
-                const Sorted::End& end = sorted.ends[k];
-                const bool own = up == patch;
-                double exchange = own ? end.exchange : unhidden(patch, end.other);
-                if (exchange > 0.0 && end.share < 1.0)
-                    exchange *= own ? end.share : visibility->visibleShare(patch, end.other, gatherRays);
-                arrived[patch] += exchange / tree.area(patch) * radiosity[end.other];
-            }
+        if (tree.area(patch) > 0.0) arrived[patch] = gathering.arrivingAt(patch);
     });
     return arrived;
 }

@@ -43,6 +43,8 @@ private:
     std::vector<Side> sides;
 };
 
+using Blockers = std::vector<const Blocker*>;
+
 /// Which faces stand between pairs of patches.
 ///
 /// A face can hide one patch from another only where it reaches into the box around both, stands in front of both, and

@@ -11,6 +11,12 @@ namespace {
 
 double areaOf(const Triangle& t) { return 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
 
+// Up to the rounding of floats.
+bool isParallelogram(const Polygon& polygon) {
+    const std::vector<Point>& c = polygon.corners;
+    return c.size() == 4 && polygon.area > 0.0 && glm::length(c[0] - c[1] + c[2] - c[3]) <= 1e-6 * polygon.radius;
+}
+
 void addFan(std::vector<Triangle>& triangles, const std::vector<Point>& corners) {
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         const Triangle triangle = {corners[0], corners[i], corners[i + 1]};
@@ -51,11 +57,19 @@ Shares::Drawn Shares::draw(double u) const {
     return {static_cast<std::size_t>(found - upTo.begin()), std::clamp((at - before) / (*found - before), 0.0, 1.0)};
 }
 
-AreaSampler::AreaSampler(const Polygon& polygon) : triangles(trianglesOf(polygon)) {
+AreaSampler::AreaSampler(const Polygon& polygon) : origin(polygon.center) {
+    if (isParallelogram(polygon)) {
+        origin = polygon.corners[0];
+        along = polygon.corners[1] - origin;
+        across = polygon.corners[3] - origin;
+        return;
+    }
+    triangles = trianglesOf(polygon);
     for (const Triangle& triangle : triangles) shares.add(areaOf(triangle));
 }
 
 Point AreaSampler::at(double u, double v) const {
+    if (triangles.empty()) return origin + u * along + v * across;
     const Shares::Drawn drawn = shares.draw(u);
     const Triangle& t = triangles[drawn.which];
     const double root = std::sqrt(drawn.rest);

@@ -48,10 +48,13 @@ private:
 class AreaSampler {
 public:
     explicit AreaSampler(const Polygon& polygon);
+
+    /// @cost a few operations for a parallelogram; for others a search among their triangles and a root
     Point at(double u, double v) const;
 
 private:
-    std::vector<Triangle> triangles;
+    Point origin{0.0}, along{0.0}, across{0.0};  // of a parallelogram
+    std::vector<Triangle> triangles;             // of others
     Shares shares;
 };
 

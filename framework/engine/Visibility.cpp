@@ -49,6 +49,15 @@ Sight Visibility::sight(std::size_t first, std::size_t second) const {
     return shafts ? shafts->sight(first, second, between) : Sight::partly;
 }
 
+Sight Visibility::sight(std::size_t first, std::size_t second, Blockers& between) const {
+    return shafts ? shafts->sight(first, second, between) : Sight::partly;
+}
+
+double Visibility::sharePast(const Blockers& between, std::size_t first, std::size_t second, std::size_t rays) const {
+    return shareByRays(first, second, rays, rays,
+                       [&](const Point& from, const Point& to) { return passing(between, from, to); });
+}
+
 template <class Share>
 double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_t most, std::size_t deciding,
                                const Share& share) const {

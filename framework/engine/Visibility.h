@@ -33,6 +33,13 @@ public:
 
     /// What is known of a pair without a ray.
     Sight sight(std::size_t first, std::size_t second) const;
+    /// The same, and what stands between.
+    Sight sight(std::size_t first, std::size_t second, Blockers& between) const;
+
+    /// The share that gets past what is known to stand between two patches, or between larger ones that these are parts of.
+    ///
+    /// @param rays that are cast, whatever they meet
+    double sharePast(const Blockers& between, std::size_t first, std::size_t second, std::size_t rays) const;
 
     /// How many rays were traced so far.
     std::size_t rays() const { return traced; }
