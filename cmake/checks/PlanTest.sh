@@ -26,6 +26,7 @@ case $claim in
         plans "$scenes/teapot.x3d" 'occlusion indirect colour smooth antialias'
         plans "$scenes/mirror.x3d" 'occlusion indirect colour specular smooth antialias'
         says out 'also onto diffuse faces'
+        says out ', light over specular faces '
         plans "$scenes/dark.x3d" 'smooth antialias'
         says out 'nothing emits light'
         black furnace
@@ -50,7 +51,7 @@ assert occlusion["forced"] and occlusion["needed"] and not occlusion["on"] and o
 indirect = effects["indirect"]
 assert indirect["on"] and not indirect["forced"] and "cornell_2.x3d:" in indirect["reason"]
 assert plan["channels"] == ["red", "green", "blue"] and plan["patches"] > 500
-assert all(plan["cost"][part] > 0 for part in plan["cost"])
+assert all((plan["cost"][part] > 0) == (part != "specularSeconds") for part in plan["cost"])
 EOF
         fi
         ;;

@@ -29,11 +29,6 @@ std::string describe(const AccurateSolution& solution, double asked, bool meshCh
 }  // namespace
 
 RenderSolution solveToError(SceneInput& input, double error, double patchSize) {
-    for (const Effect effect : {Effect::specular, Effect::transparency})
-        if (input.effects.has(effect))
-            throw Error(input.scene.file + ": --error: found " + radlab::describe(input.effects, effect) +
-                        "; errors are estimated for matt and opaque faces only: expected --method path, or --force " +
-                        nameOf(effect) + "=off");
     ErrorGoal goal;
     goal.error = error;
     goal.patchSize = patchSize;

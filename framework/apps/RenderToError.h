@@ -8,7 +8,6 @@ namespace radlab {
 ///
 /// @param error      RMS of the error over RMS of the radiosity
 /// @param patchSize  0: chosen, too
-/// Errors: a scene that mirrors or is transparent, for which errors are not estimated.
 RenderSolution solveToError(SceneInput& input, double error, double patchSize);
 
 }  // namespace radlab

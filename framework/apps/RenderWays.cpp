@@ -5,7 +5,6 @@
 #include "apps/FormFactorRun.h"
 #include "apps/SpecularPart.h"
 #include "base/ProgressBar.h"
-#include "base/Warning.h"
 #include "engine/FormFactorRows.h"
 #include "engine/HierarchicalRadiosity.h"
 #include "engine/Scattering.h"
@@ -48,11 +47,9 @@ RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factor
     factors.occlusion = input.effects.has(Effect::occlusion);
     const FormFactorRows rows(input.geometry, factors);
     warnOfLimits(input, rows.method());
-    if (input.effects.has(Effect::specular) && input.effects.specularOntoDiffuse)
-        warn(input.scene.file +
-             ": shots leave out what specular faces throw on others: expected a matrix (no --unshot or "
-             "--shots), or --method links or path");
+    const SpecularPart specular(input);
     ShootingOptions options;
+    if (specular.transport) options.further = [&](std::size_t i) { return specular.transport->row(i); };
     options.indirect = input.effects.has(Effect::indirect);
     if (flags.unshot > 0.0) options.unshot = flags.unshot;
     if (flags.shots > 0) options.mostShots = flags.shots;
@@ -72,7 +69,7 @@ RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factor
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: %zu shots by %s, %.3g of the light unshot, %zu rays, %.3g s",
                   report.shots, nameOf(rows.method()).c_str(), report.unshot, rows.rays(), report.seconds);
-    made.summary = text;
+    made.summary = text + specular.summary;
     return made;
 }
 

@@ -33,21 +33,10 @@ std::vector<Force> forcesOf(const SceneFlags& flags) {
     return forces;
 }
 
-std::vector<engine::Scattering> scatteringsOf(const Scene& scene, const Effects& effects) {
-    std::vector<engine::Scattering> scatterings;
-    for (const Face& face : scene.faces) {
-        Material material = *face.material;
-        if (!effects.has(Effect::specular)) material.specular = Vec3f(0.0f);
-        if (!effects.has(Effect::transparency)) material.transparency = 0.0f;
-        scatterings.push_back(engine::scatteringOf(material));
-    }
-    return scatterings;
-}
-
 void decide(SceneInput& input, const std::vector<Force>& forces) {
     input.effects = findEffects(input.scene, input.mesh.get());
     for (const Force& force : forces) apply(force, input.effects);
-    input.scatterings = scatteringsOf(input.scene, input.effects);
+    input.scatterings = engine::scatteringsOf(input.scene, input.effects);
     input.geometry.through = engine::throughOf(input.scatterings);
 }
 

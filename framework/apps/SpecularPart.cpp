@@ -8,7 +8,7 @@ namespace radlab {
 using namespace engine;
 
 SpecularPart::SpecularPart(const SceneInput& input) {
-    if (!input.effects.has(Effect::specular) || !input.effects.specularOntoDiffuse) return;
+    if (!input.effects.specularInSolution()) return;
     const Stopwatch watch;
     ProgressBar bar("specular transport", static_cast<double>(input.geometry.patches.size()), "patches");
     SpecularOptions options;

@@ -41,8 +41,9 @@ void printTable(const SceneInput& input, const Work& work) {
         std::cout << start << decision.reason << '\n';
     }
     const Cost cost = expectedCost(work, input.effects);
-    std::cout << "expected: form factors " << secondsText(cost.formFactors) << ", radiosities "
-              << secondsText(cost.radiosities) << ", picture " << secondsText(cost.picture) << "; "
+    std::cout << "expected: form factors " << secondsText(cost.formFactors)
+              << (cost.specular > 0.0 ? ", light over specular faces " + secondsText(cost.specular) : "")
+              << ", radiosities " << secondsText(cost.radiosities) << ", picture " << secondsText(cost.picture) << "; "
               << bytesText(cost.bytes) << '\n';
 }
 
@@ -69,6 +70,7 @@ void printJson(const SceneInput& input, const Work& work) {
                                          {"effects", effects},
                                          {"cost",
                                           {{"formFactorSeconds", cost.formFactors},
+                                           {"specularSeconds", cost.specular},
                                            {"radiositySeconds", cost.radiosities},
                                            {"pictureSeconds", cost.picture},
                                            {"pixels", work.pixels},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/LowDiscrepancy.h"
+#include "engine/SpecularTransport.h"
 #include "engine/Visibility.h"
 
 namespace radlab::engine {
@@ -25,7 +26,7 @@ constexpr std::array<Exact, 5> exact{{{1e-12, 9.7e-7, 3.3e-4},
                                       {1e-2, 6.5e-8, 2.7e-5}}};
 constexpr double point = 1.5e-8, polygon = 2.6e-7;                 // for a pair, both ways
 constexpr double shaft = 4e-8, shaftRay = 6e-8, treeRay = 1.3e-7;  // for a pair; for a shadow ray
-constexpr double hemisphereRay = 1.3e-7;
+constexpr double hemisphereRay = 1.3e-7, specularRay = 1.6e-7;
 constexpr double hemicubePatch = 4.8e-8, hemicubePixel = 4e-9;  // for each patch drawn into one; of size² pixels
 constexpr double pass = 6.3e-10;                                // for an entry of the matrix
 constexpr double cameraRay = 7e-8, pixelOut = 2e-7;             // to find a point; to tone map and write it
@@ -37,7 +38,7 @@ constexpr double smoothPatch = 2e-7;                            // to interpolat
 constexpr double iterations = 15.0;                          // to 1e-10 at usual reflectances
 constexpr double raysPerGather = 16.0;                       // from a point that mirrors or is clear
 constexpr double shareOfEdges = 0.1, samplesOnEdges = 15.0;  // pixels that differ from neighbours, and their samples
-constexpr double bytesOfNodes = 1024.0, bytesOfPatch = 600.0, bytesOfPixel = 16.0;
+constexpr double bytesOfNodes = 1024.0, bytesOfPatch = 600.0, bytesOfPixel = 16.0, bytesOfSpecular = 16.0;
 
 std::size_t indexAt(double share, std::size_t count) {
     return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
@@ -121,10 +122,29 @@ double formFactorSeconds(const Work& work, bool occlusion) {
     }
 }
 
+// Of rays from patches, those that meet specular faces or panes, once and again.
+double specularHits(const Work& work, const Effects& effects) {
+    if (!effects.specularInSolution()) return 0.0;
+    const double goesOn = std::min(work.specularShare + work.clearShare, 0.9);
+    return work.specularRays * goesOn / (1.0 - goesOn);
+}
+
+double specularSeconds(const Work& work, const Effects& effects) {
+    const double hits = specularHits(work, effects);
+    return hits > 0.0 ? (work.specularRays + hits) * unit::specularRay : 0.0;
+}
+
+// At most: many hits are of the same pair.
+double specularEntries(const Work& work, const Effects& effects) {
+    const double patches = static_cast<double>(work.patches);
+    return std::min(patches * patches, 2.0 * specularHits(work, effects));
+}
+
 double radiositySeconds(const Work& work, const Effects& effects) {
     const double entries = static_cast<double>(work.patches) * static_cast<double>(work.patches);
     const double passes = effects.has(Effect::indirect) ? iterations + 1.0 : 1.0;
-    return entries * unit::pass * (2.0 + passes * effects.channels().count());  // two to check reciprocity
+    const double all = entries + specularEntries(work, effects) * bytesOfSpecular / sizeof(double);
+    return all * unit::pass * (2.0 + passes * effects.channels().count());  // two to check reciprocity
 }
 
 double pictureSeconds(const Work& work, const Effects& effects) {
@@ -148,6 +168,7 @@ Work workOf(const Scene& scene, const Geometry& geometry, const FormFactorOption
     if (work.patches == 0) return work;
     countPairs(geometry.patches, work);
     work.raysPerPair = raysPerPair(geometry, options.rays ? options.rays : pairRays);
+    work.specularRays = static_cast<double>(specularRays(geometry, scatteringsOf(scene)));
     work.specularShare = shareOfArea(scene, geometry, [](const Material& m) { return m.specular != Vec3f(0.0f); });
     work.clearShare = shareOfArea(scene, geometry, [](const Material& m) { return m.transparency > 0.0f; });
     return work;
@@ -157,10 +178,11 @@ Cost expectedCost(const Work& work, const Effects& effects) {
     const double patches = static_cast<double>(work.patches);
     Cost cost;
     cost.formFactors = formFactorSeconds(work, effects.has(Effect::occlusion));
+    cost.specular = specularSeconds(work, effects);
     cost.radiosities = radiositySeconds(work, effects);
     cost.picture = pictureSeconds(work, effects);
     cost.bytes = patches * (patches * sizeof(double) + bytesOfNodes + bytesOfPatch) +
-                 bytesOfPixel * static_cast<double>(work.pixels);
+                 bytesOfSpecular * specularEntries(work, effects) + bytesOfPixel * static_cast<double>(work.pixels);
     return cost;
 }
 

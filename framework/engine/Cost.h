@@ -15,6 +15,7 @@ struct Work {
     double raysPerPair = 0.0;  ///< shadow rays for a facing pair, where occlusion is looked for
     bool manyFaces = false;    ///< too many for shafts: rays go through a tree
     double specularShare = 0.0, clearShare = 0.0;  ///< of the faces' area: mirrors, and lets light through
+    double specularRays = 0.0;                     ///< that leave patches for specular faces
     std::size_t pixels = 800 * 800;
     FormFactorOptions options;
 };
@@ -29,10 +30,10 @@ Work workOf(const Scene& scene, const Geometry& geometry, const FormFactorOption
 
 /// What a solution and a picture are expected to take.
 struct Cost {
-    double formFactors = 0.0, radiosities = 0.0, picture = 0.0;  ///< seconds
-    double bytes = 0.0;                                          ///< of data, beside the program itself
+    double formFactors = 0.0, specular = 0.0, radiosities = 0.0, picture = 0.0;  ///< seconds
+    double bytes = 0.0;                                                          ///< of data, beside the program itself
 
-    double seconds() const { return formFactors + radiosities + picture; }
+    double seconds() const { return formFactors + specular + radiosities + picture; }
 };
 
 /// Predicts the cost of a scene with some effects, from unit costs that were measured once.

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/SpecularTransport.h"
 #include "scene/X3dReader.h"
 
 using namespace radlab;
@@ -95,6 +96,22 @@ TEST_CASE("each channel, each bounce, each mirror and each smooth edge has its p
     for (const Effect effect : {Effect::indirect, Effect::colour, Effect::specular, Effect::antialias, Effect::smooth})
         CHECK(costOf(effect, work, effects) > 0.0);
     CHECK(costOf(Effect::transparency, work, effects) == 0.0);
+}
+
+TEST_CASE("light over specular faces costs its rays, where it belongs to the solution") {
+    const Scene scene = read("mirror");
+    const Geometry geometry = cut(scene, 80.0f);
+    const Work work = workOf(scene, geometry, {});
+    const std::size_t rays = SpecularOptions().rays, patches = geometry.patches.size();
+    CHECK(work.specularRays > 0.5 * static_cast<double>(rays * patches));
+    CHECK(work.specularRays <= 2.0 * static_cast<double>(rays * patches));
+    Effects effects = findEffects(scene);
+    const Cost with = expectedCost(work, effects);
+    CHECK(with.specular > 0.0);
+    CHECK(costOf(Effect::specular, work, effects) > with.specular);
+    effects[Effect::specular].on = false;
+    CHECK(expectedCost(work, effects).specular == 0.0);
+    CHECK(costOfScene("cornell_2", 80.0f).specular == 0.0);
 }
 
 TEST_CASE("the stored matrix is most of the memory of a fine mesh, and no patches cost no form factors") {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
 #include "engine/FormFactorRows.h"
+#include "engine/SpecularTransport.h"
 
 namespace radlab::engine {
 
@@ -14,6 +16,8 @@ namespace {
 
 constexpr std::uint64_t otherRays = 1;  // than those that the radiosities were found with, or both would err alike
 constexpr double closeEnough = 1e-4;    // of form factors: well below any error that is worth asking for
+
+using Specular = std::optional<SpecularTransport>;
 
 // Patches in order of their number, one after every so much area.
 std::vector<std::size_t> sampled(const std::vector<Polygon>& patches, std::size_t samples) {
@@ -31,12 +35,14 @@ std::vector<std::size_t> sampled(const std::vector<Polygon>& patches, std::size_
     return chosen;
 }
 
-Point arrivingAt(std::size_t patch, const Geometry& geometry, const FormFactorRows& rows,
+Point arrivingAt(std::size_t patch, const Geometry& geometry, const FormFactorRows& rows, const Specular& specular,
                  const std::vector<Point>& radiosity) {
     Point sum(0.0);
     for (std::size_t j = 0; j < radiosity.size(); ++j)
         if (j != patch && radiosity[j] != Point(0.0))
             sum += rows.exchange(std::min(patch, j), std::max(patch, j)) * radiosity[j];
+    if (specular)
+        for (const PatchExchange& other : specular->row(patch)) sum += other.exchange * radiosity[other.patch];
     return sum / geometry.patches[patch].area;
 }
 
@@ -47,6 +53,17 @@ FormFactorOptions exactly(const ErrorEstimateOptions& options) {
     exact.seed = otherRays;
     exact.tolerance = closeEnough;
     return exact;
+}
+
+// Good enough for what the samples get.
+Specular specularOf(const Geometry& geometry, const std::vector<std::size_t>& samples,
+                    const ErrorEstimateOptions& options) {
+    if (options.scatterings.empty()) return std::nullopt;
+    SpecularOptions specular;
+    specular.rays = options.specularRays;
+    specular.seed = otherRays;
+    specular.senders = samples;
+    return std::make_optional<SpecularTransport>(geometry, options.scatterings, specular);
 }
 
 Point meanReflectance(const Geometry& geometry, const Surfaces& surfaces) {
@@ -67,11 +84,12 @@ double estimateError(const Geometry& geometry, const Surfaces& surfaces, const s
     const std::vector<std::size_t> samples = sampled(geometry.patches, options.samples);
     if (samples.empty()) return 0.0;
     const FormFactorRows rows(geometry, exactly(options));
+    const Specular specular = specularOf(geometry, samples, options);
     std::vector<Point> residuals(samples.size());
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t k) {
         const std::size_t i = samples[k];
-        residuals[k] =
-            surfaces.emission[i] + surfaces.reflectance[i] * arrivingAt(i, geometry, rows, radiosity) - radiosity[i];
+        residuals[k] = surfaces.emission[i] +
+                       surfaces.reflectance[i] * arrivingAt(i, geometry, rows, specular, radiosity) - radiosity[i];
     });
     Point mean(0.0), square(0.0);
     for (const Point& residual : residuals) {

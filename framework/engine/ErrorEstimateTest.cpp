@@ -9,6 +9,7 @@
 #include "engine/HierarchicalRadiosity.h"
 #include "engine/MeshError.h"
 #include "engine/SceneTestHelp.h"
+#include "engine/SpecularTransport.h"
 
 using namespace radlab;
 using namespace radlab::engine;
@@ -49,6 +50,36 @@ TEST_CASE("the estimated error is the true one within a factor of 1.6, for links
         holds(linked(cut, 1e-4));
         holds(solved(cut, Method::hemisphere, 256));
         holds(solved(cut, Method::hemisphere, 4096));
+    }
+}
+
+TEST_CASE("with a mirror, too, the estimated error is the true one within a factor of 1.6: by few rays, or none") {
+    const CutScene cut("mirror.x3d", 140.0);
+    const std::vector<Scattering> scatterings = scatteringsOf(cut.scene);
+    FormFactorOptions factors;
+    factors.rays = 256;
+    const FormFactorMatrix matrix = formFactors(cut.geometry, factors);
+    const auto solved = [&](std::size_t rays) {
+        std::optional<SpecularTransport> specular;
+        SpecularOptions over;
+        over.rays = rays;
+        if (rays > 0) specular.emplace(cut.geometry, scatterings, over);
+        Transport transport = transportOf(matrix);
+        if (specular) transport.further = specular->further();
+        return solveRadiosity(transport, cut.surfaces);
+    };
+    const std::vector<Point> truth = solved(8192);
+    for (const std::size_t rays : {0, 16, 64, 256}) {
+        CAPTURE(rays);
+        const std::vector<Point> found = solved(rays);
+        ErrorEstimateOptions options;
+        options.scatterings = scatterings;
+        options.specularRays = std::max<std::size_t>(4 * rays, 256);
+        const double error = cut.relativeError(found, truth);
+        const double estimate = estimateError(cut.geometry, cut.surfaces, found, options);
+        CAPTURE(error);
+        CHECK(estimate > error / 1.6);
+        CHECK(estimate < error * 1.6);
     }
 }
 

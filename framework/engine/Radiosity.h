@@ -26,6 +26,12 @@ Surfaces surfacesOf(const PatchMesh& mesh);
 /// Adds to result what x sends in one channel.
 using ChannelExchange = std::function<void(int channel, const std::vector<double>& x, std::vector<double>& result)>;
 
+/// What a patch exchanges with another one: A·F, per channel.
+struct PatchExchange {
+    std::size_t patch;
+    Point exchange;
+};
+
 /// The light that patches send each other, whatever way it is stored: the symmetric S with S_ij = A_i·F_ij.
 struct Transport {
     std::vector<double> areas;

@@ -43,6 +43,17 @@ std::vector<Scattering> scatteringsOf(const Scene& scene) {
     return scatterings;
 }
 
+std::vector<Scattering> scatteringsOf(const Scene& scene, const Effects& effects) {
+    std::vector<Scattering> scatterings;
+    for (const Face& face : scene.faces) {
+        Material material = *face.material;
+        if (!effects.has(Effect::specular)) material.specular = Vec3f(0.0f);
+        if (!effects.has(Effect::transparency)) material.transparency = 0.0f;
+        scatterings.push_back(scatteringOf(material));
+    }
+    return scatterings;
+}
+
 std::vector<double> throughOf(const std::vector<Scattering>& scatterings) {
     const auto letsThrough = [](const Scattering& scattering) { return scattering.through > 0.0; };
     if (std::none_of(scatterings.begin(), scatterings.end(), letsThrough)) return {};

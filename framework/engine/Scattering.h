@@ -5,6 +5,7 @@
 #include "course/PatchMesh.h"
 #include "engine/Polygon.h"
 #include "engine/Radiosity.h"
+#include "scene/Effects.h"
 #include "scene/Scene.h"
 
 namespace radlab::engine {
@@ -33,6 +34,9 @@ Scattering scatteringOf(const Material& material);
 
 /// The scattering of each face of a scene.
 std::vector<Scattering> scatteringsOf(const Scene& scene);
+
+/// The same without the effects that are off: no face then is specular, or none transparent.
+std::vector<Scattering> scatteringsOf(const Scene& scene, const Effects& effects);
 
 /// The share that each face lets through, as Geometry::through has it: empty where all are opaque.
 std::vector<double> throughOf(const std::vector<Scattering>& scatterings);

@@ -18,8 +18,12 @@ double sum(const Point& color) { return color.x + color.y + color.z; }
 
 class Shooter {
 public:
-    Shooter(const std::vector<double>& patchAreas, const Surfaces& materials)
-        : areas(patchAreas), surfaces(materials), radiosity(materials.emission), unshot(materials.emission) {
+    Shooter(const std::vector<double>& patchAreas, const Surfaces& materials, bool followReflected)
+        : areas(patchAreas),
+          surfaces(materials),
+          radiosity(materials.emission),
+          unshot(materials.emission),
+          indirect(followReflected) {
         power.resize(areas.size());
         for (std::size_t i = 0; i < areas.size(); ++i) power[i] = areas[i] * sum(unshot[i]);
         emitted = unshotPower();
@@ -39,17 +43,12 @@ public:
         return order;
     }
 
-    void shoot(std::size_t from, const std::vector<double>& factors, bool indirect) {
-        const Point light = areas[from] * std::exchange(unshot[from], Point(0.0));
+    void shoot(std::size_t from, const std::vector<double>& factors, const std::vector<PatchExchange>& further) {
+        const Point light = std::exchange(unshot[from], Point(0.0));
         power[from] = 0.0;
-        for (std::size_t i = 0; i < areas.size(); ++i) {
-            if (!(factors[i] > 0.0) || !(areas[i] > 0.0)) continue;
-            const Point arrived = factors[i] / areas[i] * surfaces.reflectance[i] * light;
-            radiosity[i] += arrived;
-            if (!indirect) continue;
-            unshot[i] += arrived;
-            power[i] = areas[i] * sum(unshot[i]);
-        }
+        for (std::size_t i = 0; i < areas.size(); ++i)
+            if (factors[i] > 0.0) receive(i, areas[from] * factors[i] * light);
+        for (const PatchExchange& other : further) receive(other.patch, other.exchange * light);
     }
 
     // What is unshot spread over all patches, and what they then reflect again and again.
@@ -69,6 +68,18 @@ public:
     std::vector<Point> radiosity, unshot;
     std::vector<double> power;
     double emitted;
+
+private:
+    void receive(std::size_t patch, const Point& light) {
+        if (!(areas[patch] > 0.0)) return;
+        const Point reflected = surfaces.reflectance[patch] * light / areas[patch];
+        radiosity[patch] += reflected;
+        if (!indirect) return;
+        unshot[patch] += reflected;
+        power[patch] = areas[patch] * sum(unshot[patch]);
+    }
+
+    bool indirect;
 };
 
 }  // namespace
@@ -77,7 +88,7 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
                                   const ShootingOptions& options, ShootingReport* report) {
     constexpr double grown = 1e3;
     const Stopwatch watch;
-    Shooter shooter(areas, surfaces);
+    Shooter shooter(areas, surfaces, options.indirect);
     std::vector<std::vector<double>> rows(atOnce, std::vector<double>(areas.size()));
     std::size_t shots = 0;
     double left = shooter.emitted;
@@ -85,7 +96,8 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
         const std::vector<std::size_t> turn = shooter.brightest(std::min(atOnce, options.mostShots - shots));
         if (turn.empty()) break;
         tbb::parallel_for(std::size_t{0}, turn.size(), [&](std::size_t k) { row(turn[k], rows[k].data()); });
-        for (std::size_t k = 0; k < turn.size(); ++k) shooter.shoot(turn[k], rows[k], options.indirect);
+        for (std::size_t k = 0; k < turn.size(); ++k)
+            shooter.shoot(turn[k], rows[k], options.further ? options.further(turn[k]) : std::vector<PatchExchange>());
         shots += turn.size();
         left = shooter.unshotPower();
         if (!(left < grown * shooter.emitted))

@@ -11,6 +11,8 @@ struct ShootingOptions {
     double unshot = 1e-3;  ///< stop where at most this share of the emitted power is unshot
     bool indirect = true;  ///< shoot what was reflected, too
     std::size_t mostShots = static_cast<std::size_t>(-1);
+    /// What a shooter exchanges with patches beside its form factors, such as light over mirrors; nothing where empty.
+    std::function<std::vector<PatchExchange>(std::size_t shooter)> further = {};
     std::function<void(std::size_t shots, double unshot)> progress;  ///< told after every few shots
 };
 

@@ -6,6 +6,7 @@
 #include "base/Error.h"
 #include "engine/FormFactors.h"
 #include "engine/SceneTestHelp.h"
+#include "engine/SpecularTransport.h"
 
 using namespace radlab;
 using namespace radlab::engine;
@@ -43,6 +44,25 @@ TEST_CASE("shooting ends where conjugate gradients end") {
     for (std::size_t i = 0; i < solved.size(); ++i)
         for (int c = 0; c < 3; ++c) CHECK(shot.radiosity[i][c] == Approx(solved[i][c]).epsilon(1e-6));
     CHECK(shot.report.unshot <= 1e-9);
+}
+
+TEST_CASE("with a mirror, too, shooting ends where conjugate gradients end, and shots carry what goes over it") {
+    const CutScene cut("mirror.x3d", 140);
+    SpecularOptions rays;
+    rays.rays = 256;
+    const SpecularTransport specular(cut.geometry, scatteringsOf(cut.scene), rays);
+    const FormFactorMatrix matrix = formFactors(cut.geometry, {});
+    Transport transport = transportOf(matrix);
+    const std::vector<Point> without = solveRadiosity(transport, cut.surfaces);
+    transport.further = specular.further();
+    const std::vector<Point> solved = solveRadiosity(transport, cut.surfaces);
+    ShootingOptions options;
+    options.unshot = 1e-4;
+    options.further = [&](std::size_t shooter) { return specular.row(shooter); };
+    const RowFunction rows = [&](std::size_t i, double* row) { std::copy_n(matrix.row(i), matrix.size(), row); };
+    const std::vector<Point> shot = shootRadiosity(matrix.areas(), cut.surfaces, rows, options);
+    CHECK(cut.relativeError(shot, solved) < 1e-4);
+    CHECK(cut.relativeError(shot, without) > 0.02);
 }
 
 TEST_CASE("what is unshot falls from shot to shot, and the ambient term makes up for most of it") {

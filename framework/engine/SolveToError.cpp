@@ -17,6 +17,7 @@ constexpr double margin = 1.6;           // by which estimates may be too low
 constexpr double ofSolver = 0.5;         // share of the goal that the solver may use up
 constexpr double usualVariation = 0.25;  // mesh error times √patches, in a room
 constexpr double mostPatches = 200'000.0;
+constexpr std::size_t times = 4;  // as many specular rays in estimates: their own noise then hardly counts
 
 double firstSize(const Scene& scene, double error) {
     const double patches = std::pow(usualVariation * margin / error, 2.0);
@@ -26,7 +27,7 @@ double firstSize(const Scene& scene, double error) {
 class Search {
 public:
     Search(const Scene& asked, const Effects& found, const ErrorGoal& wanted)
-        : scene(asked), effects(found), goal(wanted) {
+        : scene(asked), effects(found), goal(wanted), scatterings(scatteringsOf(asked, found)) {
         solution.patchSize = chosenMesh() ? firstSize(scene, goal.error) : goal.patchSize;
     }
 
@@ -51,7 +52,8 @@ private:
         const auto size = static_cast<float>(solution.patchSize);
         solution.mesh = std::make_unique<PatchMesh>(scene.vertices, scene.faces, size, size);
         solution.geometry = geometryOf(scene, *solution.mesh);
-        solution.surfaces = surfacesOf(*solution.mesh, scatteringsOf(scene));
+        solution.geometry.through = throughOf(scatterings);
+        solution.surfaces = surfacesOf(*solution.mesh, scatterings);
         ways = waysFor(workOf(scene, solution.geometry, {}), effects);
     }
 
@@ -59,7 +61,7 @@ private:
         const double target = (chosenMesh() ? ofSolver : 1.0) * goal.error / margin;
         solution.way = cheapestWay(ways, target, worse);
         tell(std::to_string(solution.geometry.patches.size()) + " patches, " + describe(solution.way));
-        solution.radiosity = solveBy(solution.way, solution.geometry, solution.surfaces, effects);
+        solution.radiosity = solveBy(solution.way, solution.geometry, solution.surfaces, scatterings, effects);
     }
 
     void estimate() {
@@ -67,6 +69,10 @@ private:
         ErrorEstimateOptions options;
         options.occlusion = effects.has(Effect::occlusion);
         options.rays = static_cast<std::size_t>(std::clamp(std::pow(8e-3 / goal.error, 2.0), 16.0, 1024.0));
+        if (solution.way.specularRays > 0) {
+            options.scatterings = scatterings;
+            options.specularRays = times * solution.way.specularRays;
+        }
         solution.solverError = estimateError(solution.geometry, solution.surfaces, solution.radiosity, options);
         solution.meshError = estimateMeshError(*solution.mesh, solution.radiosity);
         solution.error =
@@ -91,6 +97,7 @@ private:
     const Scene& scene;
     const Effects& effects;
     const ErrorGoal& goal;
+    const std::vector<Scattering> scatterings;
     AccurateSolution solution;
     std::vector<Way> ways;
     double worse = 1.0;  // than the table says, as far as was seen

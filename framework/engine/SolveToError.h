@@ -39,7 +39,6 @@ struct ErrorGoal {
 /// takes another way or a finer mesh while the estimate is above the goal. Estimates of the error were found to be low by a factor of
 /// 1.6 at most, and count that much more.
 ///
-/// @pre    no face of the scene is specular or transparent
 /// @return the last solution tried, mostTries at most
 /// @cost   a few solutions, and estimates that cost as much as a coarse one
 /// Errors: those of the Mesher and the solvers.

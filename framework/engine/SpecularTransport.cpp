@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 
@@ -32,31 +33,37 @@ std::vector<bool> facesThatSend(const Geometry& geometry, const std::vector<Scat
 
 // How many rays each patch sends: emitters, which light most, more than others; all together twice as many at most.
 std::vector<std::size_t> raysOf(const Geometry& geometry, const std::vector<Scattering>& scatterings,
-                                std::size_t rays) {
+                                const SpecularOptions& options) {
     constexpr std::size_t most = 16;
     const std::vector<bool> send = facesThatSend(geometry, scatterings);
     const auto emits = [&](std::size_t patch) { return scatterings[geometry.faceOf[patch]].emission != Point(0.0); };
     std::vector<std::size_t> counts;
     std::size_t senders = 0, emitters = 0;
     for (std::size_t i = 0; i < geometry.patches.size(); ++i) {
-        counts.push_back(send[geometry.faceOf[i]] && geometry.patches[i].area > 0.0 ? rays : 0);
+        counts.push_back(send[geometry.faceOf[i]] && geometry.patches[i].area > 0.0 ? options.rays : 0);
         if (counts[i] == 0) continue;
         ++senders;
         if (emits(i)) ++emitters;
     }
+    std::vector<bool> wanted(counts.size(), options.senders.empty());
+    for (const std::size_t i : options.senders) wanted[i] = true;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        if (emits(i) && emitters > 0) counts[i] *= std::min(most, senders / emitters);
+        if (emits(i) && emitters > 0)
+            counts[i] *= std::min(most, senders / emitters);
+        else if (!wanted[i])
+            counts[i] = 0;
     return counts;
 }
 
-std::vector<Arrival> arrivalsFrom(std::size_t patch, const TracedScene& scene, std::size_t rays) {
+std::vector<Arrival> arrivalsFrom(std::size_t patch, const TracedScene& scene, std::size_t rays, std::uint64_t seed) {
     const Polygon& shape = scene.patches()[patch];
     const AreaSampler sampler(shape);
-    const LowDiscrepancy points(patch);
+    const std::uint64_t key = (seed << 48) ^ patch;
+    const LowDiscrepancy points(key);
     std::vector<Arrival> found;
     for (std::size_t k = 0; k < rays; ++k) {
         const auto at = points.at(k);
-        SpecularWalk(scene, patch, k, found)
+        SpecularWalk(scene, key, k, found)
             .follow({patch, sampler.at(at[0], at[1]), true}, cosineDirection(shape.normal, at[2], at[3]));
     }
     std::stable_sort(found.begin(), found.end(), [](const Arrival& a, const Arrival& b) { return a.patch < b.patch; });
@@ -67,12 +74,12 @@ std::vector<Arrival> arrivalsFrom(std::size_t patch, const TracedScene& scene, s
 
 SpecularTransport::SpecularTransport(const Geometry& geometry, const std::vector<Scattering>& scatterings,
                                      const SpecularOptions& options) {
-    const std::vector<std::size_t> counts = raysOf(geometry, scatterings, options.rays);
+    const std::vector<std::size_t> counts = raysOf(geometry, scatterings, options);
     if (std::all_of(counts.begin(), counts.end(), [](std::size_t count) { return count == 0; })) return;
     const TracedScene scene(geometry, scatterings);
     rows.resize(counts.size());
     forAll(rows.size(), options.progress, [&](std::size_t i) {
-        if (counts[i] > 0) rows[i] = rowOf(arrivalsFrom(i, scene, counts[i]));
+        if (counts[i] > 0) rows[i] = rowOf(arrivalsFrom(i, scene, counts[i], options.seed));
     });
     traced = scene.rays();
     std::vector<double> raysByArea;
@@ -135,10 +142,24 @@ ChannelExchange SpecularTransport::further() const {
     };
 }
 
+std::vector<PatchExchange> SpecularTransport::row(std::size_t patch) const {
+    std::vector<PatchExchange> row;
+    if (rows.empty()) return row;
+    for (const Entry& entry : rows[patch])
+        row.push_back({entry.patch, Point(entry.exchange[0], entry.exchange[1], entry.exchange[2])});
+    return row;
+}
+
 std::size_t SpecularTransport::entries() const {
     std::size_t count = 0;
     for (const std::vector<Entry>& row : rows) count += row.size();
     return count;
+}
+
+std::size_t specularRays(const Geometry& geometry, const std::vector<Scattering>& scatterings,
+                         const SpecularOptions& options) {
+    const std::vector<std::size_t> counts = raysOf(geometry, scatterings, options);
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 }  // namespace radlab::engine

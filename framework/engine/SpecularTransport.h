@@ -15,7 +15,9 @@ namespace radlab::engine {
 struct SpecularOptions {
     /// From each patch that may see a specular face; from emitters, where they are few, up to 16 times as many.
     std::size_t rays = 4096;
-    Progress progress;  ///< counts patches
+    std::uint64_t seed = 0;            ///< another one chooses other rays
+    std::vector<std::size_t> senders;  ///< that send rays, beside emitters: enough for what these get; empty: all
+    Progress progress;                 ///< counts patches
 };
 
 /// What patches send each other over one specular face or several: what form factors leave out.
@@ -38,6 +40,9 @@ public:
     /// Adds to result, for each patch, what arrives from x in a channel; as Transport::further, to be outlived by this.
     ChannelExchange further() const;
 
+    /// What a patch exchanges with others, and with itself, in their order.
+    std::vector<PatchExchange> row(std::size_t patch) const;
+
     /// How many rays were traced.
     std::size_t rays() const { return traced; }
     /// How many pairs exchange something, both directions counted.
@@ -58,5 +63,9 @@ private:
     std::vector<Row> rows;  // of each patch, in the order of the other patches; none where nothing is exchanged
     std::size_t traced = 0;
 };
+
+/// How many rays leave the patches for a SpecularTransport; each may be followed over several faces.
+std::size_t specularRays(const Geometry& geometry, const std::vector<Scattering>& scatterings,
+                         const SpecularOptions& options = {});
 
 }  // namespace radlab::engine

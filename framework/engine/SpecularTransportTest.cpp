@@ -237,12 +237,38 @@ TEST_CASE("the exchange over mirrors is reciprocal to the bit, and the same for 
         for (std::size_t j = 0; j < i; ++j) CHECK(columns[i][j] == columns[j][i]);
 }
 
+TEST_CASE("a patch's row is its exchange, and where few patches send, with other rays, these get the same light") {
+    const Room room = litBox(grey(0.0, 0.1, 0.8), grey(0.0, 0.5), 2);
+    const std::size_t count = room.geometry.patches.size(), patch = 3;
+    SpecularOptions few;
+    few.rays = 16384;
+    few.seed = 1;
+    few.senders = {patch};
+    const SpecularTransport all = room.specular(16384), some(room.geometry, room.scatterings, few);
+    CHECK(some.rays() < all.rays());
+    const auto light = [&](const SpecularTransport& transport) {
+        Point sum(0.0);
+        for (const PatchExchange& other : transport.row(patch)) {
+            CHECK(other.exchange.g == exchange(transport, count, patch, other.patch, 1));
+            sum += other.exchange * (Point(1.0) + room.surfaces().emission[other.patch]);
+        }
+        return sum;
+    };
+    const Point found = light(some), expected = light(all);
+    CHECK(found != expected);
+    for (int c = 0; c < 3; ++c) CHECK(found[c] == Approx(expected[c]).epsilon(0.03));
+    const std::size_t leave = specularRays(room.geometry, room.scatterings, few);
+    CHECK(leave > few.rays);
+    CHECK(leave <= some.rays());
+}
+
 TEST_CASE("where no face is specular, no ray is traced and nothing is stored") {
     const CutScene cut("cornell_2.x3d", 100.0);
     const SpecularTransport none(cut.geometry, scatteringsOf(cut.scene));
     CHECK(none.rays() == 0);
     CHECK(none.entries() == 0);
     CHECK(!none.further());
+    CHECK(none.row(0).empty());
 }
 
 TEST_CASE("light between mirrors that swallow nothing comes to an end") {

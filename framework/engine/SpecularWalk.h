@@ -23,10 +23,10 @@ struct Arrival {
 /// @source [ArvoKirk1990] Russian roulette
 class SpecularWalk {
 public:
-    /// @param patch, number of the ray, which its random numbers depend on
+    /// @param key    of its patch, and number of the ray, which its random numbers depend on
     /// @param arrivals where it adds what arrives, over one specular face at least, at patches that are seen
-    SpecularWalk(const TracedScene& tracedScene, std::size_t patch, std::size_t number, std::vector<Arrival>& arrivals)
-        : scene(tracedScene), random(patch, number), found(arrivals) {}
+    SpecularWalk(const TracedScene& tracedScene, std::uint64_t key, std::size_t number, std::vector<Arrival>& arrivals)
+        : scene(tracedScene), random(key, number), found(arrivals) {}
 
     /// Follows light that leaves a patch.
     void follow(const SurfacePoint& start, const Point& direction) { follow({start, direction, Point(1.0), 0, false}); }

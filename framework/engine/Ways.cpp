@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "engine/HierarchicalRadiosity.h"
+#include "engine/SpecularTransport.h"
 
 namespace radlab::engine {
 
@@ -36,6 +38,8 @@ constexpr double ofPairRays = 2e-3;  // error, times √rays
 constexpr std::array<double, 4> hemisphereRays{256, 1024, 4096, 16384};
 constexpr double ofHemisphereRays = 0.33;  // error, times √rays
 constexpr double exact = 1e-7;
+constexpr std::array<std::size_t, 9> specularRays{256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536};
+constexpr double ofSpecularRays = 0.05;  // error, times √rays; of mirror.x3d
 
 }  // namespace measured
 
@@ -50,12 +54,36 @@ Way byMatrix(const Work& work, const Effects& effects, Method method, double set
     if (method == Method::visibility)
         asked.raysPerPair *= setting / static_cast<double>(work.options.rays > 0 ? work.options.rays : pairRays);
     const Cost cost = expectedCost(asked, effects);
-    return {false, method, setting, error, cost.formFactors + cost.radiosities};
+    return {false, method, setting, 0, error, cost.formFactors + cost.radiosities};
+}
+
+// For light that goes straight from patch to patch.
+std::vector<Way> diffuseWays(const Work& work, const Effects& effects) {
+    const bool occlusion = effects.has(Effect::occlusion);
+    const double patches = static_cast<double>(work.patches);
+    std::vector<Way> ways;
+    for (const measured::Links& one : measured::links)
+        ways.push_back(
+            {true, Method::automatic, one.threshold, 0, one.error, patches * (occlusion ? one.hidden : one.clear)});
+    if (!occlusion) {
+        ways.push_back(byMatrix(work, effects, Method::exact, 0.0, measured::exact));
+        return ways;
+    }
+    if (!effects.has(Effect::transparency))  // hemicubes take panes for opaque
+        for (const measured::Size& one : measured::hemicubes)
+            ways.push_back(byMatrix(work, effects, Method::hemicube, one.size, one.error));
+    for (const double rays : measured::hemisphereRays)
+        ways.push_back(byMatrix(work, effects, Method::hemisphere, rays, measured::ofHemisphereRays / std::sqrt(rays)));
+    for (const double rays : measured::pairRays)
+        ways.push_back(byMatrix(work, effects, Method::visibility, rays, measured::ofPairRays / std::sqrt(rays)));
+    return ways;
 }
 
 }  // namespace
 
 std::string describe(const Way& way) {
+    const std::string specular =
+        way.specularRays > 0 ? "; " + std::to_string(way.specularRays) + " specular rays a patch" : "";
     char text[80];
     if (way.links)
         std::snprintf(text, sizeof text, "links, threshold %g", way.setting);
@@ -64,27 +92,22 @@ std::string describe(const Way& way) {
     else if (way.setting > 0.0)
         std::snprintf(text, sizeof text, "%s, %g rays", nameOf(way.method).c_str(), way.setting);
     else
-        return nameOf(way.method);
-    return text;
+        std::snprintf(text, sizeof text, "%s", nameOf(way.method).c_str());
+    return text + specular;
 }
 
 std::vector<Way> waysFor(const Work& work, const Effects& effects) {
-    const bool occlusion = effects.has(Effect::occlusion);
-    const double patches = static_cast<double>(work.patches);
+    const std::vector<Way> diffuse = diffuseWays(work, effects);
+    if (!effects.specularInSolution()) return diffuse;
     std::vector<Way> ways;
-    for (const measured::Links& one : measured::links)
-        ways.push_back(
-            {true, Method::automatic, one.threshold, one.error, patches * (occlusion ? one.hidden : one.clear)});
-    if (!occlusion) {
-        ways.push_back(byMatrix(work, effects, Method::exact, 0.0, measured::exact));
-        return ways;
-    }
-    for (const measured::Size& one : measured::hemicubes)
-        ways.push_back(byMatrix(work, effects, Method::hemicube, one.size, one.error));
-    for (const double rays : measured::hemisphereRays)
-        ways.push_back(byMatrix(work, effects, Method::hemisphere, rays, measured::ofHemisphereRays / std::sqrt(rays)));
-    for (const double rays : measured::pairRays)
-        ways.push_back(byMatrix(work, effects, Method::visibility, rays, measured::ofPairRays / std::sqrt(rays)));
+    for (const std::size_t rays : measured::specularRays)
+        for (Way way : diffuse) {
+            const double times = static_cast<double>(rays) / static_cast<double>(SpecularOptions().rays);
+            way.specularRays = rays;
+            way.error = std::hypot(way.error, measured::ofSpecularRays / std::sqrt(static_cast<double>(rays)));
+            way.seconds += times * expectedCost(work, effects).specular;
+            ways.push_back(way);
+        }
     return ways;
 }
 
@@ -96,13 +119,22 @@ Way cheapestWay(const std::vector<Way>& ways, double error, double factor) {
     return best;
 }
 
-std::vector<Point> solveBy(const Way& way, const Geometry& geometry, const Surfaces& surfaces, const Effects& effects) {
+std::vector<Point> solveBy(const Way& way, const Geometry& geometry, const Surfaces& surfaces,
+                           const std::vector<Scattering>& scatterings, const Effects& effects) {
+    std::optional<SpecularTransport> specular;
+    if (way.specularRays > 0) {
+        SpecularOptions options;
+        options.rays = way.specularRays;
+        specular.emplace(geometry, scatterings, options);
+    }
+    const ChannelExchange further = specular ? specular->further() : ChannelExchange();
     if (way.links) {
         HierarchicalOptions options;
         options.threshold = way.setting;
         options.occlusion = effects.has(Effect::occlusion);
         options.indirect = effects.has(Effect::indirect);
         options.channels = effects.channels();
+        options.further = further;
         return solveHierarchical(geometry, surfaces, options);
     }
     FormFactorOptions options;
@@ -118,7 +150,9 @@ std::vector<Point> solveBy(const Way& way, const Geometry& geometry, const Surfa
     SolverOptions solving;
     solving.channels = effects.channels();
     solving.indirect = effects.has(Effect::indirect);
-    return solveRadiosity(matrix, surfaces, solving);
+    Transport transport = transportOf(matrix);
+    transport.further = further;
+    return solveRadiosity(transport, surfaces, solving);
 }
 
 }  // namespace radlab::engine

@@ -44,6 +44,9 @@ public:
     /// The channels to solve: all by themselves where colour is forced on, one for all where it is forced off.
     Channels channels() const;
 
+    /// Whether light over specular faces belongs to the solution, not only to the picture.
+    bool specularInSolution() const { return has(Effect::specular) && specularOntoDiffuse; }
+
     Channels neededChannels;
     bool specularOntoDiffuse = false;  ///< faces that mirror throw light on diffuse ones, and so into the solution
 
