@@ -66,6 +66,12 @@ EOF
         exits 0
         grep -q '^occlusion *on, forced' out || wrong "$(cat out)"
         ;;
+    "a million patches are planned: the memory that they would take is told, none of it is spent")
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.00244
+        exits 0
+        says out '1008600 patches of size 0.00244'
+        says out '; 7.4 TiB'
+        ;;
     "what is wrong is said before any work, with exit code 2, and nothing on stdout")
         for force in shadows=on occlusion occlusion=maybe =on ''; do
             run absent.x3d --force "$force"

@@ -92,6 +92,15 @@ case $claim in
         says err 'expected none with it'
         [ ! -e none.csv ] || wrong "left behind: none.csv"
         ;;
+    "a million patches are cut; a matrix of them is refused with what it needs, and the ways that need none are named")
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.00244 --csv none.csv
+        exits 2
+        says out '1008600 patches of size 0.00244'
+        says out 'form factors: 7.4 TiB to store'
+        says err 'the form factors of 1008600 patches need 7.4 TiB of memory, and this machine has '
+        says err 'take larger patches, or a way that stores no matrix (render: --method links, or --unshot)'
+        [ ! -e none.csv ] || wrong "left behind: none.csv"
+        ;;
     "what is wrong is said before any work, with exit code 2, and leaves no file")
         run "$project/resources/scenes/furnace.x3d"
         exits 2

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/Memory.h"
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
 #include "engine/Hemicubes.h"
@@ -41,6 +42,11 @@ engine::FormFactorOptions optionsOf(const FormFactorFlags& flags) {
     options.rays = flags.rays;
     options.hemicubeSize = flags.size;
     return options;
+}
+
+std::string storageOf(const SceneInput& input) {
+    return "form factors: " + bytesText(engine::matrixBytes(static_cast<double>(input.geometry.patches.size()))) +
+           " to store";
 }
 
 engine::FormFactorMatrix runFormFactors(const SceneInput& input, engine::FormFactorOptions options,

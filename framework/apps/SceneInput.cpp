@@ -1,15 +1,19 @@
 #include "apps/SceneInput.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
+#include "base/Memory.h"
 #include "scene/ResourceFile.h"
 #include "scene/X3dReader.h"
 
 namespace radlab {
 
 namespace {
+
+constexpr double bytesOfPatch = 700.0;  // in the mesh and in the geometry
 
 struct Sizes {
     double patch = 0.0, light = 0.0;
@@ -57,6 +61,9 @@ SceneInput readSceneInput(const SceneFlags& flags) {
     Sizes sizes;
     input.scene = read(flags, sizes);
     if (sizes.patch == 0.0) sizes.patch = sizes.light = engine::patchSizeFor(input.scene, flags.patches);
+    const double expected = engine::patchesAt(input.scene, sizes.patch, sizes.light);
+    requireMemory(bytesOfPatch * expected, "about " + std::to_string(std::llround(expected)) + " patches",
+                  "take larger patches");
     input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
                                              static_cast<float>(sizes.light));
     input.geometry = engine::geometryOf(input.scene, *input.mesh);

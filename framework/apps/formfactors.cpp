@@ -40,6 +40,7 @@ int formFactorTable(const Flags& flags) {
         throw Error(
             "--enforce: found faces that let light through, expected none: light is counted at them and behind "
             "them, so rows do not add up to 1 (--force transparency=off takes them as opaque)");
+    std::cout << storageOf(input) << std::endl;
     FormFactorReport report;
     FormFactorMatrix matrix = runFormFactors(input, options, report);
     std::string summary =

@@ -50,6 +50,7 @@ RenderSolution solve(const Flags& flags, SceneInput& input) {
     if (flags.error > 0.0) return solveToError(input, flags.error, flags.scene.patchSize);
     if (flags.byLinks()) return solveByLinks(input, flags.threshold);
     if (flags.shooting.given()) return solveByShooting(input, optionsOf(flags.formFactors), flags.shooting);
+    std::cout << storageOf(input) << std::endl;
     return solveByFormFactors(input, optionsOf(flags.formFactors));
 }
 

@@ -6,7 +6,7 @@
 
 #include "apps/CommandLine.h"
 #include "engine/HardCases.h"
-#include "engine/HardRooms.h"
+#include "engine/RoomSolver.h"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
+#include "base/Memory.h"
 #include "engine/EdgeIntegral.h"
 #include "engine/PointFormFactor.h"
 
@@ -195,6 +196,8 @@ NodeTable::Nodes NodeTable::of(std::size_t polygon) const {
 
 ExchangeAreas::ExchangeAreas(const std::vector<Polygon>& list, double tolerance) : polygons(list), orders(tolerance) {
     RADLAB_CHECK(tolerance >= finestTolerance);
+    requireMemory(1024.0 * static_cast<double>(list.size()),
+                  "the nodes of " + std::to_string(list.size()) + " polygons", "take larger patches");
     for (int order = 1; order <= keptOrders; ++order) nodes[order - 1] = NodeTable(polygons, order);
 }
 

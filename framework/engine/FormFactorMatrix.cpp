@@ -58,9 +58,9 @@ double deviation(const std::vector<double>& sums, const std::vector<double>& tar
 }  // namespace
 
 FormFactorMatrix::FormFactorMatrix(const std::vector<Polygon>& patches) {
-    const auto count = static_cast<double>(patches.size());
-    requireMemory(count * count * sizeof(double), "the form factors of " + std::to_string(patches.size()) + " patches",
-                  "take larger patches");
+    requireMemory(matrixBytes(static_cast<double>(patches.size())),
+                  "the form factors of " + std::to_string(patches.size()) + " patches",
+                  "take larger patches, or a way that stores no matrix (render: --method links, or --unshot)");
     for (const Polygon& patch : patches) patchAreas.push_back(patch.area);
     factors.reset(static_cast<double*>(std::calloc(std::max<std::size_t>(size() * size(), 1), sizeof(double))));
     if (!factors) throw std::bad_alloc();

@@ -10,6 +10,9 @@
 
 namespace radlab::engine {
 
+/// The bytes that a matrix of so many patches takes.
+constexpr double matrixBytes(double patches) { return patches * patches * sizeof(double); }
+
 /// The form factors between all pairs of patches, stored whole: row i, column j is F(i→j).
 class FormFactorMatrix {
 public:
@@ -19,9 +22,11 @@ public:
     explicit FormFactorMatrix(const std::vector<Polygon>& patches);
 
     std::size_t size() const { return patchAreas.size(); }
-    double& at(std::size_t i, std::size_t j) { return factors[i * size() + j]; }
-    double at(std::size_t i, std::size_t j) const { return factors[i * size() + j]; }
-    const double* row(std::size_t i) const { return factors.get() + i * size(); }
+    /// Where an entry of a matrix of so many patches lies; more entries than 32 bits can count are nothing special.
+    static constexpr std::size_t indexOf(std::size_t i, std::size_t j, std::size_t patches) { return i * patches + j; }
+    double& at(std::size_t i, std::size_t j) { return factors[indexOf(i, j, size())]; }
+    double at(std::size_t i, std::size_t j) const { return factors[indexOf(i, j, size())]; }
+    const double* row(std::size_t i) const { return factors.get() + indexOf(i, 0, size()); }
     const std::vector<double>& areas() const { return patchAreas; }
 
 private:

@@ -1,5 +1,6 @@
 #include "engine/Geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -23,6 +24,16 @@ double patchSizeFor(const Scene& scene, double patches) {
     double area = 0.0;
     for (const Polygon& face : facesOf(scene)) area += face.area;
     return std::sqrt(area / patches);
+}
+
+double patchesAt(const Scene& scene, double patchSize, double lightSize) {
+    const std::vector<Polygon> faces = facesOf(scene);
+    double patches = 0.0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const double size = scene.faces[i].material->emits() ? lightSize : patchSize;
+        patches += std::max(faces[i].area / (size * size), 1.0);
+    }
+    return patches;
 }
 
 std::vector<double> areasOf(const Geometry& geometry) {

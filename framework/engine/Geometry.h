@@ -22,6 +22,9 @@ struct Geometry {
 /// The length of a patch's edge at which a scene falls into about so many patches.
 double patchSizeFor(const Scene& scene, double patches);
 
+/// About how many patches a scene falls into at that length of their edges.
+double patchesAt(const Scene& scene, double patchSize, double lightSize);
+
 /// The areas of the patches.
 std::vector<double> areasOf(const Geometry& geometry);
 

@@ -101,6 +101,8 @@ std::vector<HardCase> unequal() {
         pair("areas 1 to 1e-12, on a shared edge", onFloor(0, .25, 1e-6, 1e-6), onWall(0, 0, 1, 1),
              0.49999950488439855),
         pair("areas 1 to 1e-12, in a corner", onFloor(0, 0, 1e-6, 1e-6), onWall(0, 0, 1, 1), 0.37499985792246877),
+        pair("a patch of 1e-9, 1e-6 away from a corner", onFloor(1e-6, 1e-6, 1e-9, 1e-9), onWall(0, 0, 1, 1),
+             0.37499971570274047),
         pair("areas 100 to 1, a gap of 1e-2", onFloor(0, 0, 1, 1), onCeiling(-5, -5, 0.01, 10, 10),
              0.99999657255878142),
         thin(pair("a strip of 1e-4 along a wall", onFloor(0, 0, 1e-4, 1), onWall(0, 0, 1, 1), 0.49982255552878213)),
@@ -139,7 +141,14 @@ std::vector<HardCase> cutAndMoved() {
     const Polygon b({Point(.2, .1, 1), Point(.3, .9, 1.4), Point(1.2, .3, .8)});
     const double skew = 0.0794017110027708;
     const std::string digits = "double integral along the outlines, 50 digits";
+    const Polygon halved = onFloor(-0.5, 0, 1, 1);
     std::vector<HardCase> all = {
+        pair("a patch with its centre on the other's edge", halved, onWall(0, 0, 1, 1), 0.14618667910571332),
+        pair("a patch with its centre on the other's corner", halved, onWall(.5, 0, 1, 1), 0.090517187705223526),
+        pair("a patch with its centre on the other", halved, onWall(0, -1, 1, 2), 0.14618667910571332),
+        pair("a quad with a corner 1e-3 off its plane", onFloor(0, 0, 1, 1),
+             Polygon({Point(0, 0, 1), Point(0, 1, 1), Point(1, 1, 1.001), Point(1, 0, 1)}), 0.19975925069297057,
+             digits),
         pair("a wall that goes on below the floor", onFloor(0, 0, 1, 1), onWall(0, -1, 1, 2), half),
         pair("a floor that goes on behind the wall", onFloor(-3, 0, 4, 1), onWall(0, 0, 1, 1), half / 4.0),
         pair("skew triangles", a, b, skew, digits),
@@ -157,18 +166,21 @@ std::vector<HardCase> occluded() {
     const auto plate = [](double x, double y, double z, double size) {
         return std::vector<Polygon>{onCeiling(x, y, z, size, size), turned(onCeiling(x, y, z, size, size))};
     };
-    return {blocked("a quarter at half the height over a corner", floor, ceiling, plate(0, 0, 0.5, 0.5),
-                    .149868671773790, quarter),
-            blocked("a shadow that the other plate holds", onFloor(-1, -1, 2, 2), onCeiling(-1, -1, 1.0001, 2, 2),
-                    plate(-.45, -.45, .75, .9), .28285406835, "closed form less that of the shadow"),
-            blocked("a plate that hides all", floor, ceiling, plate(-1, -1, 0.5, 3), 0.0, all),
-            coincident(blocked("a plate that lies on the receiver", floor, ceiling, plate(-1, -1, 1.0, 3), open, all)),
-            coincident(blocked("a plate that lies on the shooter", floor, ceiling, plate(-1, -1, 0.0, 3), open, all)),
-            blocked("a plate beside", floor, ceiling, plate(3, 3, 0.5, 1), open, all),
-            blocked("a plate exactly edge-on, beside both", floor, ceiling, {onWall(-1, 0, 4, 1)}, open, all),
-            blocked("a wall through the middle of both", floor, ceiling,
-                    {parallelogram({0.5, -1, -1}, {0, 4, 0}, {0, 0, 4})}, 0.1166536918036229,
-                    "closed form of both halves")};
+    return {
+        blocked("a quarter at half the height over a corner", floor, ceiling, plate(0, 0, 0.5, 0.5), .149868671773790,
+                quarter),
+        blocked("a shadow that the other plate holds", onFloor(-1, -1, 2, 2), onCeiling(-1, -1, 1.0001, 2, 2),
+                plate(-.45, -.45, .75, .9), .28285406835, "closed form less that of the shadow"),
+        blocked("a plate that hides all", floor, ceiling, plate(-1, -1, 0.5, 3), 0.0, all),
+        coincident(blocked("a plate that lies on the receiver", floor, ceiling, plate(-1, -1, 1.0, 3), open, all)),
+        coincident(blocked("a plate that lies on the shooter", floor, ceiling, plate(-1, -1, 0.0, 3), open, all)),
+        blocked("a plate beside", floor, ceiling, plate(3, 3, 0.5, 1), open, all),
+        blocked("a plate exactly edge-on, beside both", floor, ceiling, {onWall(-1, 0, 4, 1)}, open, all),
+        blocked("a wall from the middle of one to that of the other", floor, ceiling,
+                {parallelogram({0.5, 0, 0}, {0, 1, 0}, {0, 0, 1})}, 0.1166536918036229, "closed form of both halves"),
+        blocked("a wall through the middle of both", floor, ceiling,
+                {parallelogram({0.5, -1, -1}, {0, 4, 0}, {0, 0, 4})}, 0.1166536918036229,
+                "closed form of both halves")};
 }
 
 std::vector<HardCase> table() {

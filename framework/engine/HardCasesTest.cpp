@@ -1,5 +1,5 @@
 #include "engine/HardCases.h"
-#include "engine/HardRooms.h"
+#include "engine/RoomSolver.h"
 
 #include <cmath>
 

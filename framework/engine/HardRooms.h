@@ -8,15 +8,6 @@
 
 namespace radlab::engine {
 
-/// The ways to solve for radiosities.
-enum class Solver {
-    matrix,    ///< conjugate gradients on the stored form factors
-    shooting,  ///< progressive refinement, rows of the same form factors
-    links,     ///< hierarchical radiosity
-};
-
-std::string nameOf(Solver solver);
-
 /// A scene whose radiosities are hard to find for some solver, and what they are.
 struct HardRoom {
     std::string what;
@@ -33,12 +24,5 @@ struct HardRoom {
 
 /// The table of hard rooms.
 const std::vector<HardRoom>& hardRooms();
-
-/// The largest relative error that a solver may make in a room; infinite where it is not made for it, and may take for ever.
-double allowedError(const HardRoom& room, Solver solver);
-
-/// The largest relative error that a solver makes in a room: 0 where the room is to be refused and is, infinite where a room is
-/// refused that is not to be, or the other way round.
-double errorOf(const HardRoom& room, Solver solver);
 
 }  // namespace radlab::engine

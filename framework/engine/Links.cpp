@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Memory.h"
+
 namespace radlab::engine {
 
 namespace {
@@ -36,6 +38,10 @@ struct Sorted {
 Links::Links(const PatchTree& patches, const Options& options)
     : tree(patches), exchanges(tree.shapes().patches, options.tolerance) {
     if (options.occlusion) visibility = std::make_unique<Visibility>(tree.shapes(), options.rays);
+    const auto faces = static_cast<double>(tree.roots().size());
+    requireMemory(faces * faces / 2.0 * (sizeof(Pair) + 2 * sizeof(Link)),
+                  "the links between " + std::to_string(tree.roots().size()) + " faces",
+                  "expected a scene of fewer faces, or shots (render: --unshot)");
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < tree.roots().size(); ++i)
         for (std::size_t j = i + 1; j < tree.roots().size(); ++j)

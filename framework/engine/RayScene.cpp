@@ -84,7 +84,7 @@ struct RayScene::Tree {
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
 
-    void build(const std::vector<Triangle>& triangles, const Point& origin) {
+    void build(const std::vector<Triangle>& triangles, const Point& middle) {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         const std::size_t count = triangles.size();
         auto* corner = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -95,7 +95,7 @@ struct RayScene::Tree {
         unsigned next = 0;
         for (const Triangle& triangle : triangles)
             for (const Point& point : triangle) {
-                for (int axis = 0; axis < 3; ++axis) *corner++ = static_cast<float>(point[axis] - origin[axis]);
+                for (int axis = 0; axis < 3; ++axis) *corner++ = static_cast<float>(point[axis] - middle[axis]);
                 *index++ = next++;
             }
         rtcCommitGeometry(geometry);
@@ -107,8 +107,8 @@ struct RayScene::Tree {
         rtcCommitScene(scene);
     }
 
-    Passing passing(const std::vector<std::size_t>& polygonOf, std::size_t first, std::size_t second) const {
-        Passing made{{}, polygonOf.data(), first, second, nullptr, Point(0.0), 0.0};
+    Passing passing(const std::vector<std::size_t>& owners, std::size_t first, std::size_t second) const {
+        Passing made{{}, owners.data(), first, second, nullptr, Point(0.0), 0.0};
         rtcInitIntersectContext(&made.context);
         made.context.filter = passThrough;
         return made;

@@ -12,7 +12,10 @@ const std::string grey = withMaterial("diffuseColor='0.5 0.5 0.5'") + "\n";
 const std::string red = withMaterial("diffuseColor='0.5 0.1 0.1'") + "\n";
 const std::string black = withMaterial("diffuseColor='0 0 0'") + "\n";
 
-Effects effectsOf(const std::string& nodes) { return findEffects(parse(nodes)); }
+Effects effectsOf(const std::string& nodes) {
+    const WarningCapture quiet;  // all in one place
+    return findEffects(parse(nodes));
+}
 Decision decisionOn(Effect effect, const std::string& nodes) { return effectsOf(nodes)[effect]; }
 
 Decision smoothAt(const Scene& scene, float patchSize) {
@@ -132,8 +135,8 @@ TEST_CASE("a force names an effect and a value, or the message lists what is exp
 TEST_CASE("what is forced off is warned of only where it is needed") {
     for (const Effect effect : allEffects) {
         CAPTURE(nameOf(effect));
-        WarningCapture warnings;
         Effects effects = effectsOf(light + red);
+        WarningCapture warnings;
         const bool needed = effects.has(effect);
         apply({effect, true}, effects);
         CHECK(warnings.texts.empty());

@@ -1,6 +1,7 @@
 #include "scene/X3dReader.h"
 
 #include "base/Warning.h"
+#include "scene/CoincidentFaces.h"
 #include "scene/X3dSceneBuilder.h"
 #include "scene/XmlDocument.h"
 #include "scene/XmlText.h"
@@ -34,6 +35,11 @@ void warnOf(const X3dSceneBuilder& builder, const std::string& fileName) {
              std::to_string(builder.flattenedFaces()));
 }
 
+void warnOfCoincidence(const Scene& scene) {
+    const CoincidentFaces found = findCoincidentFaces(scene);
+    if (found.count > 0) warn(scene.file + ": " + describe(found, scene));
+}
+
 }  // namespace
 
 Scene readX3d(const std::filesystem::path& file) { return parseX3d(readTextFile(file), pathText(file)); }
@@ -47,6 +53,7 @@ Scene parseX3d(std::string_view text, const std::string& fileName, const X3dLimi
     warnOf(survey, fileName);
     warnOf(builder, fileName);
     if (scene.faces.empty()) root.fail("there is not a single face in it, expected something to render");
+    warnOfCoincidence(scene);
     return scene;
 }
 

@@ -42,8 +42,11 @@ TEST_CASE("a node that is used stands where its user puts it") {
 }
 
 TEST_CASE("a USE takes the last DEF of its name above it, with a warning") {
-    const std::string nodes = withMaterial("DEF='M' diffuseColor='1 0 0'") + withMaterial("USE='M'") +
-                              withMaterial("DEF='M' diffuseColor='0 1 0'") + withMaterial("USE='M'");
+    const auto above = [](int height, const std::string& fields) {
+        return "<Transform translation='0 0 " + std::to_string(height) + "'>" + withMaterial(fields) + "</Transform>";
+    };
+    const std::string nodes = above(0, "DEF='M' diffuseColor='1 0 0'") + above(1, "USE='M'") +
+                              above(2, "DEF='M' diffuseColor='0 1 0'") + above(3, "USE='M'");
     WarningCapture capture;
     const Scene scene = parse(nodes);
     CHECK(scene.faces[1].material->diffuse == Vec3f(1, 0, 0));
@@ -107,10 +110,11 @@ TEST_CASE("what cannot matter for light is passed over without a word") {
     CHECK(warningsIn("<WorldInfo title='t'/><Group bboxCenter='0 0 0' bboxSize='1 1 1' class='c' id='i'>"
                      "<MetadataString name='n' value='v'/>" +
                      withMaterial("ambientIntensity='0.3' containerField='material'") +
-                     "<Shape><IndexedFaceSet coordIndex='0 1 2' creaseAngle='1' convex='false' normalPerVertex='true' "
+                     "<Transform translation='0 0 1'><Shape><IndexedFaceSet coordIndex='0 1 2' creaseAngle='1' "
+                     "convex='false' normalPerVertex='true' "
                      "colorPerVertex='false' normalIndex='0' texCoordIndex='0 1 2'>" +
                      coordinate() + "<Normal vector='0 0 1'/><TextureCoordinate point='0 0'/><Color color='1 1 1'/>" +
-                     "</IndexedFaceSet></Shape></Group>")
+                     "</IndexedFaceSet></Shape></Transform></Group>")
               .empty());
 }
 
