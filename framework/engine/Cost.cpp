@@ -24,8 +24,8 @@ constexpr std::array<Exact, 5> exact{{{1e-12, 9.7e-7, 3.3e-4},
                                       {1e-6, 1.2e-7, 6.3e-5},
                                       {1e-4, 7.2e-8, 4.7e-5},
                                       {1e-2, 6.5e-8, 2.7e-5}}};
-constexpr double point = 1.5e-8, polygon = 2.6e-7;                 // for a pair, both ways
-constexpr double shaft = 4e-8, shaftRay = 6e-8, treeRay = 1.3e-7;  // for a pair; for a shadow ray
+constexpr double point = 1.5e-8, polygon = 2.6e-7;  // for a pair, both ways
+constexpr double shaft = 4e-8, shaftRay = 6e-8;     // for a pair; for a shadow ray
 constexpr double hemisphereRay = 1.3e-7, specularRay = 1.6e-7;
 constexpr double hemicubePatch = 4.8e-8, hemicubePixel = 4e-9;  // for each patch drawn into one; of size² pixels
 constexpr double pass = 6.3e-10;                                // for an entry of the matrix
@@ -114,10 +114,8 @@ double formFactorSeconds(const Work& work, bool occlusion) {
             return patches * (patches * unit::hemicubePatch + size * size * unit::hemicubePixel);
         }
         case Method::hemisphere: return patches * static_cast<double>(options.rays) * unit::hemisphereRay;
-        case Method::visibility: {
-            const double ray = work.manyFaces ? unit::treeRay : unit::shaftRay;
-            return exactSeconds(work) + work.facing * (unit::shaft + work.raysPerPair * ray);
-        }
+        case Method::visibility:
+            return exactSeconds(work) + work.facing * (unit::shaft + work.raysPerPair * unit::shaftRay);
         default: return exactSeconds(work);
     }
 }
@@ -164,7 +162,6 @@ Work workOf(const Scene& scene, const Geometry& geometry, const FormFactorOption
     Work work;
     work.patches = geometry.patches.size();
     work.options = options;
-    work.manyFaces = geometry.faces.size() > Shafts::mostFaces;
     if (work.patches == 0) return work;
     countPairs(geometry.patches, work);
     work.raysPerPair = raysPerPair(geometry, options.rays ? options.rays : pairRays);

@@ -13,10 +13,9 @@ struct Work {
     double facing = 0.0;       ///< pairs of patches that see each other's front, but for what stands between them
     double touching = 0.0;     ///< those of them that are no farther apart than they are large
     double raysPerPair = 0.0;  ///< shadow rays for a facing pair, where occlusion is looked for
-    bool manyFaces = false;    ///< too many for shafts: rays go through a tree
     double specularShare = 0.0, clearShare = 0.0;  ///< of the faces' area: mirrors, and lets light through
     double specularRays = 0.0;                     ///< that leave patches for specular faces
-    std::size_t pixels = 800 * 800;
+    std::size_t pixels = 640'000;
     FormFactorOptions options;
 };
 
@@ -25,7 +24,7 @@ struct Work {
 /// @pre the geometry is of this scene
 /// @param options  the method asked for, which may be `automatic`; `occlusion` is not looked at
 /// @return counts within some ten percent where there are many; the same for every run
-/// @cost   some milliseconds, and where there are at most Shafts::mostFaces faces the cube of their number
+/// @cost   some milliseconds
 Work workOf(const Scene& scene, const Geometry& geometry, const FormFactorOptions& options);
 
 /// What a solution and a picture are expected to take.

@@ -39,7 +39,6 @@ TEST_CASE("all pairs of a cube's faces face each other, and touch or nearly so")
     CHECK(work.facing == 15.0);
     CHECK(work.touching == 15.0);
     CHECK(work.raysPerPair == 0.0);
-    CHECK_FALSE(work.manyFaces);
 }
 
 TEST_CASE("pairs of one wall do not face each other, and those far apart do not touch") {

@@ -1,132 +1,137 @@
 #include "engine/Shaft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
-#include "base/Error.h"
-#include "engine/Triangles.h"
+#include "course/FacePolygon.h"
 
 namespace radlab::engine {
 
 namespace {
 
-constexpr double relativeTolerance = 1e-6;
+// Directions round a circle.
+const double diagonal = std::sqrt(0.5);
+const std::array<std::array<double, 2>, 8> directions{{{1, 0},
+                                                       {diagonal, diagonal},
+                                                       {0, 1},
+                                                       {-diagonal, diagonal},
+                                                       {-1, 0},
+                                                       {-diagonal, -diagonal},
+                                                       {0, -1},
+                                                       {diagonal, -diagonal}}};
 
-// A face in convex pieces: itself where it is convex.
-std::vector<Blocker> blockersOf(const Polygon& face, double tolerance, double through) {
-    std::vector<Blocker> pieces;
-    for (const Polygon& piece : convexPiecesOf(face)) pieces.emplace_back(piece, tolerance, through);
-    return pieces;
+Point farthest(const Polygon& polygon, const Point& direction) {
+    Point found(0.0);
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Point& corner : polygon.corners) {
+        const double along = glm::dot(corner, direction);
+        if (along <= most) continue;
+        most = along;
+        found = corner;
+    }
+    return found;
+}
+
+// Whether all of a box lies on or behind a plane.
+bool behind(const Box& box, const Point& normal, double offset) {
+    const Point corner = {normal.x > 0.0 ? box.high.x : box.low.x, normal.y > 0.0 ? box.high.y : box.low.y,
+                          normal.z > 0.0 ? box.high.z : box.low.z};
+    return glm::dot(normal, corner) <= offset;
+}
+
+bool behind(const Polygon& polygon, const Point& normal, double offset) {
+    const double center = glm::dot(polygon.center, normal) - offset;
+    if (std::abs(center) > polygon.radius) return center < 0.0;
+    return std::all_of(polygon.corners.begin(), polygon.corners.end(),
+                       [&](const Point& corner) { return glm::dot(normal, corner) <= offset; });
+}
+
+bool behind(const Point& from, const Point& to, const Point& normal, double offset) {
+    return glm::dot(normal, from) <= offset && glm::dot(normal, to) <= offset;
 }
 
 }  // namespace
 
-Blocker::Blocker(const Polygon& polygon, double rounding, double letsThrough)
-    : center(polygon.center), normal(polygon.normal), tolerance(rounding), share(letsThrough) {
-    const std::size_t count = polygon.corners.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Point edge = polygon.corners[(i + 1) % count] - polygon.corners[i];
-        if (glm::length(edge) == 0.0) continue;
-        const Point inwards = glm::normalize(glm::cross(normal, edge));
-        sides.push_back({inwards, glm::dot(inwards, polygon.corners[i])});
-    }
-}
-
-bool Blocker::meets(const Point& from, const Point& to) const {
-    const double start = height(from), end = height(to);
-    if (std::min(start, end) >= -tolerance || std::max(start, end) <= tolerance) return false;
-    const Point at = from + start / (start - end) * (to - from);
-    return std::all_of(sides.begin(), sides.end(),
-                       [&](const Side& side) { return glm::dot(side.inwards, at) > side.offset; });
-}
-
-// The line between two corners at heights h and k, on different sides of the plane, meets it at the share h / (h - k) of its length.
-Sight Blocker::between(const Polygon& a, const Polygon& b) const {
-    const Range ofA = heightsOver(a, center, normal), ofB = heightsOver(b, center, normal);
-    const bool apart = (ofA.low > tolerance && ofB.high < -tolerance) || (ofB.low > tolerance && ofA.high < -tolerance);
-    if (!apart) return Sight::partly;
-    thread_local std::vector<double> weights, depthsB;
-    weights.clear();
-    for (const Point& from : a.corners)
-        for (const Point& to : b.corners) weights.push_back(height(from) / (height(from) - height(to)));
-    bool inside = true;
-    for (const Side& side : sides) {
-        depthsB.clear();
-        for (const Point& to : b.corners) depthsB.push_back(glm::dot(side.inwards, to) - side.offset);
-        Range depths;
-        const double* weight = weights.data();
-        for (const Point& from : a.corners) {
-            const double depth = glm::dot(side.inwards, from) - side.offset;
-            for (const double depthB : depthsB) depths.add(depth + *weight++ * (depthB - depth));
-        }
-        if (depths.high <= tolerance) return Sight::clear;
-        inside = inside && depths.low >= 0.0;
-    }
-    return inside ? Sight::hidden : Sight::partly;
-}
-
-Shafts::Box Shafts::boxOf(const Polygon& polygon) {
-    Box box;
-    if (polygon.corners.empty()) return box;
-    box.low = box.high = polygon.corners[0];
-    for (const Point& corner : polygon.corners) {
-        box.low = glm::min(box.low, corner);
-        box.high = glm::max(box.high, corner);
-    }
-    return box;
-}
-
-Shafts::Shafts(const Geometry& shapes) : geometry(shapes) {
-    for (const Polygon& patch : geometry.patches) patchBoxes.push_back(boxOf(patch));
-    for (const Polygon& face : geometry.faces) faceBoxes.push_back(boxOf(face));
-    const std::size_t count = geometry.faces.size();
-    RADLAB_CHECK(count <= mostFaces);
-    if (count == 0) return;
-    Box whole = faceBoxes[0];
-    for (const Box& box : faceBoxes) whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
-    tolerance = relativeTolerance * glm::length(whole.high - whole.low);
+// Lane by lane, without early exit: a box is tested faster than a branch is foreseen.
+bool Shaft::Sides::anyHas(const Box& box) const {
+    const Point sum = box.low + box.high, extent = box.high - box.low;
+    std::array<double, count> above;
     for (std::size_t i = 0; i < count; ++i)
-        blockers.push_back(
-            blockersOf(geometry.faces[i], tolerance, geometry.through.empty() ? 0.0 : geometry.through[i]));
-    candidates.resize(count * count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t a) {
-        for (std::size_t b = 0; b < count; ++b)
-            for (std::size_t face = 0; face < count; ++face)
-                if (face != a && face != b &&
-                    mayHide(geometry.faces[a], faceBoxes[a], geometry.faces[b], faceBoxes[b], face))
-                    candidates[a * count + b].push_back(face);
-    });
+        above[i] = x[i] * sum.x + y[i] * sum.y + z[i] * sum.z + std::abs(x[i]) * extent.x + std::abs(y[i]) * extent.y +
+                   std::abs(z[i]) * extent.z - 2.0 * offset[i];
+    double least = above[0];
+    for (std::size_t i = 1; i < count; ++i) least = above[i] < least ? above[i] : least;
+    return least <= 0.0;
 }
 
-Sight Shafts::sight(std::size_t first, std::size_t second, std::vector<const Blocker*>& between) const {
-    between.clear();
-    const Polygon &a = geometry.patches[first], &b = geometry.patches[second];
-    const std::size_t row = geometry.faceOf[first] * geometry.faces.size();
-    for (const std::size_t face : candidates[row + geometry.faceOf[second]]) {
-        if (!mayHide(a, patchBoxes[first], b, patchBoxes[second], face)) continue;
-        for (const Blocker& blocker : blockers[face]) {
-            const Sight sight = blocker.between(a, b);
-            if (sight == Sight::hidden && blocker.through() == 0.0) return Sight::hidden;
-            if (sight != Sight::clear) between.push_back(&blocker);
-        }
-    }
-    return between.empty() ? Sight::clear : Sight::partly;
+Shaft::Shaft(const Polygon& one, const Box& boxA, const Polygon& other, const Box& boxB, double rounding)
+    : a(one),
+      b(other),
+      around(boxA),
+      tolerance(rounding),
+      heightA(glm::dot(a.normal, a.center) + tolerance),
+      heightB(glm::dot(b.normal, b.center) + tolerance) {
+    around.add(boxB);
 }
 
-bool Shafts::mayHide(const Polygon& a, const Box& boxA, const Polygon& b, const Box& boxB, std::size_t face) const {
-    const Point low = glm::min(boxA.low, boxB.low), high = glm::max(boxA.high, boxB.high);
-    const Box& box = faceBoxes[face];
-    if (glm::any(glm::lessThan(box.high, low - tolerance)) || glm::any(glm::greaterThan(box.low, high + tolerance)))
-        return false;
-    const Polygon& blocker = geometry.faces[face];
-    if (heightsOver(blocker, a.center, a.normal).high <= tolerance ||
-        heightsOver(blocker, b.center, b.normal).high <= tolerance)
-        return false;
-    const Range ofA = heightsOver(a, blocker.center, blocker.normal),
-                ofB = heightsOver(b, blocker.center, blocker.normal);
-    return std::min(ofA.low, ofB.low) < -tolerance && std::max(ofA.high, ofB.high) > tolerance;
+bool Shaft::misses(const Box& box) const {
+    if (!around.meets(box, tolerance)) return true;
+    if (behind(box, a.normal, heightA) || behind(box, b.normal, heightB)) return true;
+    return hasSides && sides.anyHas(box);
+}
+
+bool Shaft::misses(const Polygon& polygon, const Box& box) {
+    if (misses(box) || onOneSide(polygon)) return true;
+    if (behind(polygon, a.normal, heightA) || behind(polygon, b.normal, heightB)) return true;
+    if (!hasSides) makeSides();
+    return sides.any([&](const Point& inwards, double offset) { return behind(polygon, inwards, offset); });
+}
+
+bool Shaft::misses(const Point& from, const Point& to) const {
+    Box box;
+    box.add(from);
+    box.add(to);
+    if (!around.meets(box, tolerance)) return true;
+    if (behind(from, to, a.normal, heightA) || behind(from, to, b.normal, heightB)) return true;
+    return sides.any([&](const Point& inwards, double offset) { return behind(from, to, inwards, offset); });
+}
+
+// Whether a polygon's plane leaves both ends on one side; spheres round these mostly tell.
+bool Shaft::onOneSide(const Polygon& polygon) const {
+    const double toA = glm::dot(a.center - polygon.center, polygon.normal),
+                 toB = glm::dot(b.center - polygon.center, polygon.normal);
+    if (std::min(toA - a.radius, toB - b.radius) >= 0.0 || std::max(toA + a.radius, toB + b.radius) <= 0.0) return true;
+    if (std::min(toA, toB) < -tolerance && std::max(toA, toB) > tolerance) return false;
+    const Range ofA = heightsOver(a, polygon.center, polygon.normal),
+                ofB = heightsOver(b, polygon.center, polygon.normal);
+    return std::min(ofA.low, ofB.low) >= -tolerance || std::max(ofA.high, ofB.high) <= tolerance;
+}
+
+int Shaft::direction(const Point& normal) const {
+    const Range ofA = heightsOver(a, b.center, normal), ofB = heightsOver(b, b.center, normal);
+    if (ofB.low > ofA.high + tolerance) return 1;
+    return ofB.high < ofA.low - tolerance ? -1 : 0;
+}
+
+void Shaft::makeSides() {
+    hasSides = true;
+    const Point along = b.center - a.center;
+    const Point across = glm::cross(along, axisAcross(along));
+    if (!(glm::length(across) > 0.0)) return;
+    const Point u = glm::normalize(across), v = glm::normalize(glm::cross(along, u));
+    for (std::size_t i = 0; i < directions.size(); ++i) setSide(i, directions[i][0] * u + directions[i][1] * v, along);
+}
+
+// Turned, where that can be, until it touches both polygons.
+void Shaft::setSide(std::size_t i, Point outwards, const Point& along) {
+    const Point between = farthest(b, outwards) - farthest(a, outwards);
+    const double rise = glm::dot(between, along);
+    if (rise > 0.0) outwards = glm::normalize(outwards - glm::dot(between, outwards) / rise * along);
+    sides.x[i] = -outwards.x;
+    sides.y[i] = -outwards.y;
+    sides.z[i] = -outwards.z;
+    sides.offset[i] = -std::max(glm::dot(farthest(a, outwards), outwards), glm::dot(farthest(b, outwards), outwards));
 }
 
 }  // namespace radlab::engine

@@ -1,83 +1,56 @@
 #pragma once
 
-#include <vector>
+#include <array>
 
-#include "engine/Geometry.h"
+#include "engine/BoxTree.h"
 
 namespace radlab::engine {
 
-/// What of each other two patches see.
-enum class Sight {
-    clear,   ///< everything
-    hidden,  ///< nothing: one opaque face stands between all their points
-    partly,  ///< unclear: some lines between them meet a face
-};
-
-/// A convex polygon that stops lines, from both sides, or lets a share of their light through.
-class Blocker {
-public:
-    /// @pre convex, with an area
-    explicit Blocker(const Polygon& polygon, double tolerance, double through = 0.0);
-
-    /// Whether it meets the line between two points; one that only touches it passes.
-    bool meets(const Point& from, const Point& to) const;
-
-    /// The share of light that it lets through where it meets a line.
-    double through() const { return share; }
-
-    /// Whether it meets none, all or some of the lines between two polygons.
-    ///
-    /// @pre both convex, or to be taken as the hulls of their corners
-    Sight between(const Polygon& a, const Polygon& b) const;
-
-private:
-    struct Side {
-        Point inwards;
-        double offset;
-    };
-
-    double height(const Point& point) const { return glm::dot(point - center, normal); }
-
-    Point center, normal;
-    double tolerance, share;
-    std::vector<Side> sides;
-};
-
-using Blockers = std::vector<const Blocker*>;
-
-/// Which faces stand between pairs of patches.
+/// Where the lines between two polygons run: the box around both, in front of both, and within planes that touch both.
 ///
-/// A face can hide one patch from another only where it reaches into the box around both, stands in front of both, and
-/// has them on different sides. Where that fails for every face, nothing is hidden, up to 1e-6 of the scene's size. For a face that
-/// has the patches wholly on different sides, the lines between them meet its plane in the hull of the points where the lines
-/// between their corners do: whether these lie all inside of the face, or all outside of one of its edges, decides the pair without
-/// a ray.
-class Shafts {
+/// What it misses, no line between them meets; what it does not miss, some line may.
+///
+/// @source [HainesWallace1994]
+class Shaft {
 public:
-    static constexpr std::size_t mostFaces = 256;
+    /// @param tolerance  what stands out of a polygon's plane by no more than that lies in it
+    /// @pre the polygons and their boxes live as long as this does
+    Shaft(const Polygon& a, const Box& boxA, const Polygon& b, const Box& boxB, double tolerance);
 
-    /// @pre at most mostFaces faces; the geometry lives as long as this does
-    /// @cost the cube of the number of faces, once
-    explicit Shafts(const Geometry& geometry);
+    /// Whether no line runs through a box.
+    bool misses(const Box& box) const;
+    /// Whether no line crosses a polygon.
+    bool misses(const Polygon& polygon, const Box& box);
+    /// Whether no line meets an edge.
+    bool misses(const Point& from, const Point& to) const;
 
-    /// What two patches see of each other.
-    ///
-    /// @param between where the answer is `partly`: all that may stop or weaken a line between them
-    /// @cost the faces that may stand between the two patches' faces
-    Sight sight(std::size_t first, std::size_t second, std::vector<const Blocker*>& between) const;
+    /// Which way all lines run through planes with a normal: 1 along it, -1 against it; 0 where they differ.
+    int direction(const Point& normal) const;
 
 private:
-    struct Box {
-        Point low{0.0}, high{0.0};
-    };
-    static Box boxOf(const Polygon& polygon);
-    bool mayHide(const Polygon& a, const Box& boxA, const Polygon& b, const Box& boxB, std::size_t face) const;
+    // Planes with the lines on one side, in lanes.
+    struct Sides {
+        static constexpr std::size_t count = 8;
+        std::array<double, count> x{}, y{}, z{}, offset;
 
-    const Geometry& geometry;
-    double tolerance = 0.0;
-    std::vector<Box> patchBoxes, faceBoxes;
-    std::vector<std::vector<Blocker>> blockers;        // each face in convex pieces
-    std::vector<std::vector<std::size_t>> candidates;  // faces between two faces
+        Sides() { offset.fill(-1.0); }
+        bool anyHas(const Box& box) const;
+        template <class Test>
+        bool any(const Test& test) const {
+            for (std::size_t i = 0; i < count; ++i)
+                if (test(Point(x[i], y[i], z[i]), offset[i])) return true;
+            return false;
+        }
+    };
+    bool onOneSide(const Polygon& polygon) const;
+    void makeSides();
+    void setSide(std::size_t i, Point outwards, const Point& along);
+
+    const Polygon &a, &b;
+    Box around;
+    double tolerance, heightA, heightB;
+    Sides sides;  // made for the first polygon that is not missed without them
+    bool hasSides = false;
 };
 
 }  // namespace radlab::engine

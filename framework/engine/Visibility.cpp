@@ -8,9 +8,12 @@ namespace radlab::engine {
 
 namespace {
 
-constexpr std::size_t firstRays = 16;
+constexpr std::size_t fewestRays = 16;
+// Pieces of faces that a ray is tested against one by one; for more, a tree is faster.
+constexpr std::size_t mostTested = 12;
+constexpr std::size_t decidingRays = 16;  // where there are more
 
-double passing(const std::vector<const Blocker*>& between, const Point& from, const Point& to) {
+double passing(const Blockers& between, const Point& from, const Point& to) {
     double share = 1.0;
     for (const Blocker* blocker : between) {
         if (blocker->meets(from, to)) share *= blocker->through();
@@ -22,40 +25,35 @@ double passing(const std::vector<const Blocker*>& between, const Point& from, co
 }  // namespace
 
 Visibility::Visibility(const Geometry& shapes, std::size_t most, std::uint64_t seed)
-    : geometry(shapes), mostRays(std::max(most, firstRays)), firstKey(seed << 48) {
-    if (geometry.faces.size() <= Shafts::mostFaces)
-        shafts = std::make_unique<Shafts>(geometry);
-    else
-        scene = std::make_unique<RayScene>(geometry.faces);
+    : geometry(shapes), mostRays(std::max(most, fewestRays)), firstKey(seed << 48), shafts(geometry) {
+    if (geometry.faces.size() > mostTested) scene = std::make_unique<RayScene>(geometry.faces);
     for (const Polygon& patch : geometry.patches) samplers.emplace_back(patch);
 }
 
 double Visibility::visibleShare(std::size_t first, std::size_t second, std::size_t rays) const {
-    if (!shafts) {
-        const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
-        return shareByRays(first, second, rays, firstRays, [&](const Point& from, const Point& to) {
-            return scene->transmittance(from, to, faceA, faceB, geometry.through);
-        });
-    }
-    thread_local std::vector<const Blocker*> between;
-    const Sight sight = shafts->sight(first, second, between);
-    if (sight != Sight::partly) return sight == Sight::clear ? 1.0 : 0.0;
-    return shareByRays(first, second, rays, rays,
-                       [&](const Point& from, const Point& to) { return passing(between, from, to); });
+    thread_local Blockers between;
+    const Sight found = sight(first, second, between);
+    if (found != Sight::partly) return found == Sight::clear ? 1.0 : 0.0;
+    return sharePast(between, first, second, rays);
 }
 
 Sight Visibility::sight(std::size_t first, std::size_t second) const {
-    thread_local std::vector<const Blocker*> between;
-    return shafts ? shafts->sight(first, second, between) : Sight::partly;
+    thread_local Blockers between;
+    return sight(first, second, between);
 }
 
 Sight Visibility::sight(std::size_t first, std::size_t second, Blockers& between) const {
-    return shafts ? shafts->sight(first, second, between) : Sight::partly;
+    return scene ? shafts.sight(first, second, between, mostTested) : shafts.sight(first, second, between);
 }
 
 double Visibility::sharePast(const Blockers& between, std::size_t first, std::size_t second, std::size_t rays) const {
-    return shareByRays(first, second, rays, rays,
-                       [&](const Point& from, const Point& to) { return passing(between, from, to); });
+    if (!scene || between.size() <= mostTested)
+        return shareByRays(first, second, rays, rays,
+                           [&](const Point& from, const Point& to) { return passing(between, from, to); });
+    const std::size_t faceA = geometry.faceOf[first], faceB = geometry.faceOf[second];
+    return shareByRays(first, second, rays, decidingRays, [&](const Point& from, const Point& to) {
+        return scene->transmittance(from, to, faceA, faceB, geometry.through);
+    });
 }
 
 template <class Share>
@@ -69,9 +67,9 @@ double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_
     for (std::size_t k = 0; k < 4 * most && cast < most; ++k) {
         const auto at = points.at(k);
         const Point from = samplers[first].at(at[0], at[1]), to = samplers[second].at(at[2], at[3]);
-        const Point between = to - from;
-        const double distance2 = glm::dot(between, between);
-        const double away = glm::dot(a.normal, between), towards = -glm::dot(b.normal, between);
+        const Point line = to - from;
+        const double distance2 = glm::dot(line, line);
+        const double away = glm::dot(a.normal, line), towards = -glm::dot(b.normal, line);
         if (away <= 0.0 || towards <= 0.0) continue;
         const double carried = away * towards / (distance2 * distance2);
         all += carried;

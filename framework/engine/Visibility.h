@@ -7,7 +7,7 @@
 
 #include "engine/Geometry.h"
 #include "engine/RayScene.h"
-#include "engine/Shaft.h"
+#include "engine/Shafts.h"
 #include "engine/Triangles.h"
 
 namespace radlab::engine {
@@ -21,24 +21,23 @@ public:
 
     /// The share of the unoccluded exchange between two patches that gets through, 0 to 1.
     ///
-    /// Rays join points spread over both patches, each weighted by what it would carry, and weakened by each pane that
-    /// it passes. With more than Shafts::mostFaces faces, where nothing is known of a pair beforehand, the first 16
-    /// rays decide where they agree: an occluder that hides less than a sixteenth may be missed.
+    /// Shafts decide which pairs are clear or hidden. For others, rays join points spread over both patches, each
+    /// weighted by what it would carry, and weakened by each pane that it passes. Where more than 12 pieces of faces
+    /// stand between, the first 16 rays decide if they agree, and run in floats: there, what hides or leaves less
+    /// than a sixteenth may be missed. Elsewhere the error is that of all rays, about 1/(2√rays) at most and
+    /// mostly far less.
     ///
-    /// @cost pairs that see everything or nothing: no ray; others: `most` rays, each against the few faces between them;
-    ///       with many faces 16 rays for every pair, and `most` where these disagree
+    /// @cost pairs that shafts decide: no ray; others: `most` rays, or 16 where many faces stand between and they agree
     double visibleShare(std::size_t first, std::size_t second) const { return visibleShare(first, second, mostRays); }
     /// The same with another number of rays for a pair that is partly hidden.
     double visibleShare(std::size_t first, std::size_t second, std::size_t rays) const;
 
     /// What is known of a pair without a ray.
     Sight sight(std::size_t first, std::size_t second) const;
-    /// The same, and what stands between.
+    /// The same, and what stands between where the answer is `partly`; some of it, where that is much.
     Sight sight(std::size_t first, std::size_t second, Blockers& between) const;
 
-    /// The share that gets past what is known to stand between two patches, or between larger ones that these are parts of.
-    ///
-    /// @param rays that are cast, whatever they meet
+    /// The share that gets past what sight() found between two patches, or between larger ones that these are parts of.
     double sharePast(const Blockers& between, std::size_t first, std::size_t second, std::size_t rays) const;
 
     /// How many rays were traced so far.
@@ -52,8 +51,8 @@ private:
     const Geometry& geometry;
     std::size_t mostRays;
     std::uint64_t firstKey;
-    std::unique_ptr<Shafts> shafts;   // where there are few faces,
-    std::unique_ptr<RayScene> scene;  // and where there are many
+    Shafts shafts;
+    std::unique_ptr<RayScene> scene;  // where many faces may stand between two patches
     std::vector<AreaSampler> samplers;
     mutable std::atomic<std::size_t> traced{0};
 };

@@ -7,6 +7,7 @@
 #include "engine/ClosedFormRoom.h"
 #include "engine/FormFactors.h"
 #include "engine/LowDiscrepancy.h"
+#include "engine/SceneTestHelp.h"
 
 using namespace radlab::engine;
 using doctest::Approx;
@@ -64,6 +65,150 @@ TEST_CASE("what the shafts say of a pair is what rays find") {
     CHECK(cast > 10000);
     CHECK(double(wrong) < 2e-4 * double(cast));  // rays run in floats, and may slip through at an edge
     CHECK(double(missed) < 2e-3 * double(cast));
+}
+
+namespace {
+
+// A closed ball of triangles: rings of parallels, halved; every one of its edges is shared by two.
+std::vector<Polygon> ball(const Point& center, double radius, int rings) {
+    const auto at = [&](int ring, int step) {
+        const double polar = M_PI * ring / rings, turn = M_PI * (step % (2 * rings)) / rings;
+        const double across = ring == 0 || ring == rings ? 0.0 : std::sin(polar);
+        return center + radius * Point(across * std::cos(turn), across * std::sin(turn), std::cos(polar));
+    };
+    std::vector<Polygon> faces;
+    for (int ring = 0; ring < rings; ++ring)
+        for (int step = 0; step < 2 * rings; ++step) {
+            const Point a = at(ring, step), b = at(ring + 1, step), c = at(ring + 1, step + 1), d = at(ring, step + 1);
+            if (ring + 1 < rings) faces.push_back(Polygon({a, b, c}));
+            if (ring > 0) faces.push_back(Polygon({a, c, d}));
+        }
+    return faces;
+}
+
+// A room with two balls and loose triangles in it, 600 faces and more.
+Geometry fullRoom() {
+    Geometry room = cut(boxSides(4, 4, 3), 6);
+    std::vector<Polygon> faces;
+    for (const auto& [center, radius] : {std::pair(Point(1.4, 1.3, 1.1), 0.7), std::pair(Point(2.7, 2.8, 1.8), 0.5)})
+        for (const Polygon& face : ball(center, radius, 9)) faces.push_back(face);
+    for (std::uint64_t i = 0; i < 60; ++i) {
+        const LowDiscrepancy points(1000 + i);
+        std::vector<Point> corners;
+        const auto middle = points.at(0);
+        for (std::uint64_t k = 1; k <= 3; ++k) {
+            const auto at = points.at(k);
+            corners.push_back(Point(0.4 + 3.2 * middle[0], 0.4 + 3.2 * middle[1], 0.4 + 2.2 * middle[2]) +
+                              0.4 * Point(at[0] - 0.5, at[1] - 0.5, at[2] - 0.5));
+        }
+        faces.push_back(Polygon(corners));
+    }
+    for (const Polygon& face : faces) {
+        room.faceOf.push_back(room.faces.size());
+        room.faces.push_back(face);
+        room.patches.push_back(face);
+    }
+    return room;
+}
+
+// Whether any face but the two patches' own stops the line.
+bool isStopped(const Geometry& geometry, const std::vector<Blocker>& blockers, std::size_t i, std::size_t j,
+               const Point& from, const Point& to) {
+    for (std::size_t face = 0; face < blockers.size(); ++face)
+        if (face != geometry.faceOf[i] && face != geometry.faceOf[j] && blockers[face].meets(from, to)) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("among many faces, what the shafts say of a pair is what every face says, line by line") {
+    const Geometry room = fullRoom();
+    CHECK(room.faces.size() > 600);
+    const Shafts shafts(room);
+    std::vector<Blocker> blockers;
+    for (const Polygon& face : room.faces) blockers.emplace_back(face, 6.4e-6);
+    std::vector<const Blocker*> between;
+    std::size_t found[3] = {}, wrong[3] = {}, together = 0, cast = 0;
+    for (std::size_t i = 0; i < room.patches.size(); i += 3)
+        for (std::size_t j = i + 1; j < room.patches.size(); j += 7) {
+            if (!faceEachOther(room.patches[i], room.patches[j])) continue;
+            const Sight sight = shafts.sight(i, j, between);
+            ++found[static_cast<int>(sight)];
+            together += sight == Sight::hidden && between.size() > 1;
+            const AreaSampler one(room.patches[i]), other(room.patches[j]);
+            const LowDiscrepancy points(i * 1000 + j);
+            for (std::uint64_t k = 0; k < 4; ++k) {
+                const auto at = points.at(k);
+                const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
+                if (glm::dot(to - from, room.patches[i].normal) <= 1e-3) continue;
+                if (glm::dot(from - to, room.patches[j].normal) <= 1e-3) continue;
+                bool said = sight == Sight::hidden;
+                for (const Blocker* blocker : between)
+                    said = said || (sight == Sight::partly && blocker->meets(from, to));
+                ++cast;
+                wrong[static_cast<int>(sight)] += said != isStopped(room, blockers, i, j, from, to);
+            }
+        }
+    CHECK(found[static_cast<int>(Sight::clear)] > 1000);
+    CHECK(found[static_cast<int>(Sight::hidden)] > 30);
+    CHECK(found[static_cast<int>(Sight::partly)] > 1000);
+    CHECK(together > 30);
+    CHECK(cast > 10000);
+    for (const std::size_t count : wrong) CHECK(count == 0);
+}
+
+TEST_CASE("pairs of the teapot's room that are decided are so by thousands of rays") {
+    const CutScene teapot("teapot.x3d", 0.9);
+    const Geometry& room = teapot.geometry;
+    const Visibility visibility(room, 16);
+    const RayScene rays(room.faces);
+    std::size_t found[3] = {}, cast[3] = {}, stopped[3] = {};
+    const LowDiscrepancy pairs(5);
+    const auto some = [&](double share) { return static_cast<std::size_t>(share * double(room.patches.size())); };
+    for (std::uint64_t k = 0; k < 6000; ++k) {
+        const std::size_t i = some(pairs.at(k)[0]), j = some(pairs.at(k)[1]);
+        if (i == j || !faceEachOther(room.patches[i], room.patches[j])) continue;
+        const int sight = static_cast<int>(visibility.sight(i, j));
+        ++found[sight];
+        const AreaSampler one(room.patches[i]), other(room.patches[j]);
+        for (std::uint64_t ray = 0; ray < 16; ++ray) {
+            const auto at = LowDiscrepancy(k).at(ray);
+            const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
+            if (glm::dot(to - from, room.patches[i].normal) <= 1e-2) continue;
+            if (glm::dot(from - to, room.patches[j].normal) <= 1e-2) continue;
+            ++cast[sight];
+            stopped[sight] += rays.hides(from, to, room.faceOf[i], room.faceOf[j]);
+        }
+    }
+    const int clear = static_cast<int>(Sight::clear), hidden = static_cast<int>(Sight::hidden);
+    CHECK(found[clear] > 500);
+    CHECK(found[hidden] > 50);
+    CHECK(cast[clear] > 5000);
+    CHECK(stopped[clear] == 0);
+    CHECK(double(cast[hidden] - stopped[hidden]) <= 1e-3 * double(cast[hidden]));  // floats slip through at edges
+}
+
+TEST_CASE("a closed ball of many faces hides what is behind it without a ray") {
+    std::vector<Polygon> faces = {onFloor(0.4, 0.4, 0.2, 0.2), onCeiling(0.4, 0.4, 2, 0.2, 0.2)};
+    for (const Polygon& face : ball(Point(0.5, 0.5, 1), 0.6, 12)) faces.push_back(face);
+    const Geometry geometry = geometryOfFaces(faces);
+    CHECK(geometry.faces.size() > 500);
+    const Visibility visibility(geometry, 64);
+    CHECK(visibility.visibleShare(0, 1) == 0.0);
+    CHECK(visibility.rays() == 0);
+}
+
+TEST_CASE("among many faces, an occluder that hides a hundredth is seen") {
+    std::vector<Polygon> faces = {onFloor(0, 0, 1, 1), onCeiling(0, 0, 1, 1, 1), onCeiling(0.45, 0.45, 0.5, 0.1, 0.1)};
+    for (int i = 0; i < 300; ++i) faces.push_back(onFloor(5.0 + i, 5, 0.5, 0.5));
+    for (std::size_t seed = 0; seed < 8; ++seed) {
+        const Geometry geometry = geometryOfFaces(faces);
+        const Visibility visibility(geometry, 4096, seed);
+        CHECK(visibility.sight(0, 1) == Sight::partly);
+        const double share = visibility.visibleShare(0, 1);
+        CHECK(share < 0.98);
+        CHECK(share > 0.95);
+    }
 }
 
 TEST_CASE("a blocker stops what crosses it, and nothing that only touches it or ends on it") {
