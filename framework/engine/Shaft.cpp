@@ -10,6 +10,8 @@ namespace radlab::engine {
 
 namespace {
 
+constexpr int fewPolygons = 8;  // tested sooner than sides are made
+
 // Directions round a circle.
 const double diagonal = std::sqrt(0.5);
 const std::array<std::array<double, 2>, 8> directions{{{1, 0},
@@ -84,11 +86,13 @@ bool Shaft::misses(const Box& box) const {
 bool Shaft::misses(const Polygon& polygon, const Box& box) {
     if (misses(box) || onOneSide(polygon)) return true;
     if (behind(polygon, a.normal, heightA) || behind(polygon, b.normal, heightB)) return true;
-    if (!hasSides) makeSides();
+    if (!hasSides && ++notMissed < fewPolygons) return false;
+    makeSides();
     return sides.any([&](const Point& inwards, double offset) { return behind(polygon, inwards, offset); });
 }
 
-bool Shaft::misses(const Point& from, const Point& to) const {
+bool Shaft::misses(const Point& from, const Point& to) {
+    makeSides();
     Box box;
     box.add(from);
     box.add(to);
@@ -115,6 +119,7 @@ int Shaft::direction(const Point& normal) const {
 }
 
 void Shaft::makeSides() {
+    if (hasSides) return;
     hasSides = true;
     const Point along = b.center - a.center;
     const Point across = glm::cross(along, axisAcross(along));

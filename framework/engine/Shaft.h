@@ -22,7 +22,7 @@ public:
     /// Whether no line crosses a polygon.
     bool misses(const Polygon& polygon, const Box& box);
     /// Whether no line meets an edge.
-    bool misses(const Point& from, const Point& to) const;
+    bool misses(const Point& from, const Point& to);
 
     /// Which way all lines run through planes with a normal: 1 along it, -1 against it; 0 where they differ.
     int direction(const Point& normal) const;
@@ -49,8 +49,10 @@ private:
     const Polygon &a, &b;
     Box around;
     double tolerance, heightA, heightB;
-    Sides sides;  // made for the first polygon that is not missed without them
+    Sides
+        sides;  // made when they are likely to pay: for edges, or after a few polygons that are not missed without them
     bool hasSides = false;
+    int notMissed = 0;
 };
 
 }  // namespace radlab::engine

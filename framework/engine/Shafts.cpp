@@ -104,7 +104,7 @@ std::vector<Point> Shafts::metByEdges(std::size_t face, const Polygon& patch) co
 }
 
 // Whether a line in a shaft may pass an edge of a face and cross the surface on one side of the edge alone.
-bool Shafts::endsIn(const Shaft& shaft, std::size_t face) const {
+bool Shafts::endsIn(Shaft& shaft, std::size_t face) const {
     const int here = shaft.direction(geometry.faces[face].normal);
     for (const FaceEdges::Edge& edge : edges.of(face)) {
         if (here != 0 && edge.beyond != FaceEdges::none) {

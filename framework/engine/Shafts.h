@@ -40,7 +40,7 @@ private:
     bool goesThrough(std::size_t face, const Polygon& patch) const;
     std::vector<Point> metByEdges(std::size_t face, const Polygon& patch) const;
     bool mayDecide(std::size_t first, std::size_t second) const;
-    bool endsIn(const Shaft& shaft, std::size_t face) const;
+    bool endsIn(Shaft& shaft, std::size_t face) const;
     bool addPieces(std::size_t face, const Polygon& a, const Polygon& b, Blockers& between,
                    std::vector<std::size_t>& opaque) const;
     Sight onOneLine(const Point& from, const Point& to, Blockers& between) const;
