@@ -92,7 +92,7 @@ case $claim in
         says err 'expected none with it'
         [ ! -e none.csv ] || wrong "left behind: none.csv"
         ;;
-    "a million patches are cut; a matrix of them is refused with what it needs, and the ways that need none are named")
+    "a million patches are cut, a matrix of them is refused with what it needs, and the ways that need none are named")
         run "$project/resources/scenes/furnace.x3d" --patch-size 0.00244 --csv none.csv
         exits 2
         says out '1008600 patches of size 0.00244'

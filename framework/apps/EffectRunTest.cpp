@@ -61,10 +61,12 @@ TEST_CASE("in every scene, what is off takes no rays, channels, iterations, gath
 TEST_CASE("a needed effect that is forced off changes the picture: forcing reaches what is simulated") {
     const std::string folder = RADLAB_SOURCE_DIR "/resources/scenes/";
     const WarningCapture quiet;
-    for (const auto& [file, effect] :
+    for (const auto& needs :
          {std::pair{"cornell_2.x3d", Effect::occlusion}, std::pair{"cornell_2.x3d", Effect::indirect},
           std::pair{"cornell_2.x3d", Effect::colour}, std::pair{"mirror.x3d", Effect::specular},
           std::pair{"cornell_2.x3d", Effect::smooth}, std::pair{"cornell_2.x3d", Effect::antialias}}) {
+        const std::string file = needs.first;
+        const Effect effect = needs.second;
         CAPTURE(file);
         CAPTURE(nameOf(effect));
         const EffectRun plain(folder + file, about, {}), less(folder + file, about, {forced(effect, false)});

@@ -35,9 +35,9 @@ std::vector<Point> linked(const CutScene& cut, double threshold) {
 }  // namespace
 
 TEST_CASE("the estimated error is the true one within a factor of 1.6, for links and for rays") {
-    for (const auto& [file, size] : {std::pair{"cornell_2.x3d", 60.0}, std::pair{"l_room.x3d", 0.5}}) {
-        CAPTURE(file);
-        const CutScene cut(file, size);
+    for (const auto& room : {std::pair{"cornell_2.x3d", 60.0}, std::pair{"l_room.x3d", 0.5}}) {
+        CAPTURE(room.first);
+        const CutScene cut(room.first, room.second);
         const std::vector<Point> truth = solved(cut, Method::visibility, 256);
         const auto holds = [&](const std::vector<Point>& found) {
             const double error = cut.relativeError(found, truth);
@@ -126,9 +126,9 @@ TEST_CASE("light that changes evenly deviates from its patches by the twelfth of
 }
 
 TEST_CASE("the mesh's estimated error is the true one within a factor of 1.6") {
-    for (const auto& [file, size] : {std::pair{"cornell_2.x3d", 60.0}, std::pair{"l_room.x3d", 0.5}}) {
-        CAPTURE(file);
-        const CutScene coarse(file, size), fine(file, size / 4);
+    for (const auto& room : {std::pair{"cornell_2.x3d", 60.0}, std::pair{"l_room.x3d", 0.5}}) {
+        CAPTURE(room.first);
+        const CutScene coarse(room.first, room.second), fine(room.first, room.second / 4);
         const std::vector<Point> found = linked(coarse, 1e-4), truth = linked(fine, 1e-4);
         double error = 0.0, all = 0.0;
         for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -145,7 +145,8 @@ TEST_CASE("a small mirror is a window on the lamp's virtual image, and panes bef
 
 TEST_CASE("in a box of mirrors that are also matt, what arrives is E/(1-ρ-ks), and light never grows, up to 0.99") {
     for (const double lobe : {-1.0, 0.0, 20.0})
-        for (const auto& [diffuse, specular] : {std::pair{0.3, 0.4}, {0.5, 0.49}, {0.09, 0.9}, {0.9, 0.09}}) {
+        for (const auto& shares : {std::pair{0.3, 0.4}, {0.5, 0.49}, {0.09, 0.9}, {0.9, 0.09}}) {
+            const double diffuse = shares.first, specular = shares.second;
             CAPTURE(lobe);
             CAPTURE(specular);
             Scattering material = grey(2.0, diffuse, specular);
