@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/Error.h"
+#include "base/Warning.h"
 #include "base/WholeFile.h"
 #include "scene/X3dReader.h"
 
@@ -30,6 +31,10 @@ std::string hashOf(std::string_view text) {
     return digits;
 }
 
+bool isNotMatt(const Face& face) {
+    return face.material->specular != Vec3f(0.0f) || face.material->transparency > 0.0f;
+}
+
 }  // namespace
 
 StudyScene readStudyScene(const std::filesystem::path& file) {
@@ -38,6 +43,9 @@ StudyScene readStudyScene(const std::filesystem::path& file) {
     const std::vector<Face>& faces = read.scene.faces;
     if (std::none_of(faces.begin(), faces.end(), [](const Face& face) { return face.material->emits(); }))
         throw Error({file.string()}, "nothing emits light, so there is nothing to measure; expected a face that emits");
+    if (std::any_of(faces.begin(), faces.end(), isNotMatt))
+        warn(file.string() +
+             ": some faces mirror, or let light through: the study takes all of them as matt and opaque");
     return read;
 }
 
