@@ -13,10 +13,6 @@ namespace radlab::engine {
 
 namespace {
 
-bool maySee(const Polygon& a, const Polygon& b) {
-    return heightsOver(a, b.center, b.normal).high > 0.0 && heightsOver(b, a.center, a.normal).high > 0.0;
-}
-
 // For each face whether its patches emit or reflect diffusely, and may see a specular one.
 std::vector<bool> facesThatSend(const Geometry& geometry, const std::vector<Scattering>& scatterings) {
     const std::vector<Polygon>& faces = geometry.faces;
@@ -26,7 +22,7 @@ std::vector<bool> facesThatSend(const Geometry& geometry, const std::vector<Scat
     std::vector<bool> send;
     for (std::size_t f = 0; f < faces.size(); ++f)
         send.push_back(isSeen(scatterings[f]) && std::any_of(specular.begin(), specular.end(), [&](std::size_t other) {
-                           return maySee(faces[f], faces[other]);
+                           return faceEachOther(faces[f], faces[other]);
                        }));
     return send;
 }

@@ -30,34 +30,42 @@ Geometry furnishedRoom(int count) {
     return room;
 }
 
+// Lines between points spread over two patches, but for those along which one of them is not seen from its front.
+template <class Visit>
+void forLines(const Geometry& room, std::size_t i, std::size_t j, std::uint64_t key, std::uint64_t count, double least,
+              const Visit& visit) {
+    const AreaSampler one(room.patches[i]), other(room.patches[j]);
+    const LowDiscrepancy points(key);
+    for (std::uint64_t k = 0; k < count; ++k) {
+        const auto at = points.at(k);
+        const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
+        if (glm::dot(to - from, room.patches[i].normal) <= least) continue;
+        if (glm::dot(from - to, room.patches[j].normal) <= least) continue;
+        visit(from, to);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("what the shafts say of a pair is what rays find") {
     const Geometry room = furnishedRoom(6);
     const Shafts shafts(room);
     const RayScene rays(room.faces);
-    std::vector<const Blocker*> between;
+    Blockers between;
     std::size_t found[3] = {}, wrong = 0, cast = 0, missed = 0;
     for (std::size_t i = 0; i < room.patches.size(); ++i)
         for (std::size_t j = i + 1; j < room.patches.size(); ++j) {
             const Sight sight = shafts.sight(i, j, between);
             ++found[static_cast<int>(sight)];
-            const AreaSampler one(room.patches[i]), other(room.patches[j]);
-            const LowDiscrepancy points(i * 1000 + j);
-            for (std::uint64_t k = 0; k < 8; ++k) {
-                const auto at = points.at(k);
-                const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
-                // Behind a patch nobody looks.
-                if (glm::dot(to - from, room.patches[i].normal) <= 1e-3) continue;
-                if (glm::dot(from - to, room.patches[j].normal) <= 1e-3) continue;
+            forLines(room, i, j, i * 1000 + j, 8, 1e-3, [&](const Point& from, const Point& to) {
                 const bool stopped = rays.hides(from, to, room.faceOf[i], room.faceOf[j]);
                 ++cast;
                 wrong += (sight == Sight::clear && stopped) || (sight == Sight::hidden && !stopped);
-                if (sight != Sight::partly) continue;
+                if (sight != Sight::partly) return;
                 bool blocked = false;
                 for (const Blocker* blocker : between) blocked = blocked || blocker->meets(from, to);
                 missed += blocked != stopped;
-            }
+            });
         }
     CHECK(found[static_cast<int>(Sight::clear)] > 300);
     CHECK(found[static_cast<int>(Sight::hidden)] > 20);
@@ -127,7 +135,7 @@ TEST_CASE("among many faces, what the shafts say of a pair is what every face sa
     const Shafts shafts(room);
     std::vector<Blocker> blockers;
     for (const Polygon& face : room.faces) blockers.emplace_back(face, 6.4e-6);
-    std::vector<const Blocker*> between;
+    Blockers between;
     std::size_t found[3] = {}, wrong[3] = {}, together = 0, cast = 0;
     for (std::size_t i = 0; i < room.patches.size(); i += 3)
         for (std::size_t j = i + 1; j < room.patches.size(); j += 7) {
@@ -135,19 +143,13 @@ TEST_CASE("among many faces, what the shafts say of a pair is what every face sa
             const Sight sight = shafts.sight(i, j, between);
             ++found[static_cast<int>(sight)];
             together += sight == Sight::hidden && between.size() > 1;
-            const AreaSampler one(room.patches[i]), other(room.patches[j]);
-            const LowDiscrepancy points(i * 1000 + j);
-            for (std::uint64_t k = 0; k < 4; ++k) {
-                const auto at = points.at(k);
-                const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
-                if (glm::dot(to - from, room.patches[i].normal) <= 1e-3) continue;
-                if (glm::dot(from - to, room.patches[j].normal) <= 1e-3) continue;
+            forLines(room, i, j, i * 1000 + j, 4, 1e-3, [&](const Point& from, const Point& to) {
                 bool said = sight == Sight::hidden;
                 for (const Blocker* blocker : between)
                     said = said || (sight == Sight::partly && blocker->meets(from, to));
                 ++cast;
                 wrong[static_cast<int>(sight)] += said != isStopped(room, blockers, i, j, from, to);
-            }
+            });
         }
     CHECK(found[static_cast<int>(Sight::clear)] > 1000);
     CHECK(found[static_cast<int>(Sight::hidden)] > 30);
@@ -170,15 +172,10 @@ TEST_CASE("pairs of the teapot's room that are decided are so by thousands of ra
         if (i == j || !faceEachOther(room.patches[i], room.patches[j])) continue;
         const int sight = static_cast<int>(visibility.sight(i, j));
         ++found[sight];
-        const AreaSampler one(room.patches[i]), other(room.patches[j]);
-        for (std::uint64_t ray = 0; ray < 16; ++ray) {
-            const auto at = LowDiscrepancy(k).at(ray);
-            const Point from = one.at(at[0], at[1]), to = other.at(at[2], at[3]);
-            if (glm::dot(to - from, room.patches[i].normal) <= 1e-2) continue;
-            if (glm::dot(from - to, room.patches[j].normal) <= 1e-2) continue;
+        forLines(room, i, j, k, 16, 1e-2, [&](const Point& from, const Point& to) {
             ++cast[sight];
             stopped[sight] += rays.hides(from, to, room.faceOf[i], room.faceOf[j]);
-        }
+        });
     }
     const int clear = static_cast<int>(Sight::clear), hidden = static_cast<int>(Sight::hidden);
     CHECK(found[clear] > 500);

@@ -99,13 +99,14 @@ std::string describe(const Way& way) {
 std::vector<Way> waysFor(const Work& work, const Effects& effects) {
     const std::vector<Way> diffuse = diffuseWays(work, effects);
     if (!effects.specularInSolution()) return diffuse;
+    const double usualSeconds = expectedCost(work, effects).specular;
     std::vector<Way> ways;
     for (const std::size_t rays : measured::specularRays)
         for (Way way : diffuse) {
             const double times = static_cast<double>(rays) / static_cast<double>(SpecularOptions().rays);
             way.specularRays = rays;
             way.error = std::hypot(way.error, measured::ofSpecularRays / std::sqrt(static_cast<double>(rays)));
-            way.seconds += times * expectedCost(work, effects).specular;
+            way.seconds += times * usualSeconds;
             ways.push_back(way);
         }
     return ways;
