@@ -108,6 +108,10 @@ public:
         if (!value.is_number_integer() || negative) fail("a whole number of 0 or more");
         return value.get<std::uint64_t>();
     }
+    bool boolean() const {
+        if (!value.is_boolean()) fail("true or false");
+        return value.get<bool>();
+    }
     [[noreturn]] void fail(const std::string& expected) const {
         throw Error("result file: " + (where.empty() ? "" : where + ": ") + "found " + found() + ", expected " +
                     expected);
@@ -200,6 +204,8 @@ json resultToJson(const Result& result) {
                    {"seed", result.seed},
                    {"protections", std::move(protections)},
                    {"stages", std::move(stages)}};
+    setUnlessEmpty(object, "compiler", result.compiler);
+    if (!result.compiled) object["compiled"] = false;
     setUnlessZero(object, "seconds", result.seconds);
     return object;
 }
@@ -214,6 +220,8 @@ Result resultFromJson(const json& object) {
     result.seed = file["seed"].natural();
     for (const Field& protection : file["protections"].items()) result.protections.push_back(protection.text());
     for (const Field& stage : file["stages"].items()) result.stages.push_back(stageFrom(stage));
+    result.compiler = textOrNothing(file, "compiler");
+    if (const std::optional<Field> compiled = file.find("compiled")) result.compiled = compiled->boolean();
     result.seconds = numberOrZero(file, "seconds");
     return result;
 }

@@ -72,6 +72,8 @@ struct Result {
     double maxScore = 0.0;
     std::uint64_t seed = 0;
     std::vector<std::string> protections;  ///< what kept the submission in its box
+    std::string compiler;                  ///< what the compiler said: any bytes
+    bool compiled = true;                  ///< false: no stage could be judged, and there are no marks
     std::vector<StageResult> stages;
     double seconds = 0.0;
 };
