@@ -37,7 +37,7 @@ private:
 
     void make(const PictureCase& picture, const std::filesystem::path& library, const std::string& file) const {
         const std::vector<Step> steps = picture.steps();
-        const WorkerRun made = runWorker(library, steps, toolchain, manifest, manifest.seconds);
+        const WorkerRun made = Worker(library, toolchain, manifest).run(steps, manifest.seconds);
         if (made.run.answers.size() != steps.size()) throw radlab::Error(picture.check + ": " + made.run.cause);
         const std::string problem = picture.problem ? picture.problem(steps, made.run.answers) : "";
         if (!problem.empty()) throw radlab::Error(picture.check + ": " + problem);

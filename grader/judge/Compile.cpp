@@ -13,9 +13,40 @@ namespace radlab::grader {
 namespace {
 
 constexpr std::size_t mostErrorLines = 8;
+constexpr std::size_t mostLibrary = std::size_t{64} << 20;
+constexpr std::size_t mostScratch = std::size_t{256} << 20;
+constexpr std::size_t mostSaid = std::size_t{256} << 10;
+
+// The byte says that the box stands: what fails before it is no fault of the submission's. The compiler itself never sees
+// the way to the judge, and leaves no file outside its box.
+constexpr char begun = '!';
+constexpr const char* compileScript =
+    "printf '!' >&3 && \"$@\" -o \"$TMPDIR/submission.so\" 3>&- && cat \"$TMPDIR/submission.so\" >&3";
 
 bool isError(const std::string& line) {
     return line.find(": error: ") != std::string::npos || line.find(": fatal error: ") != std::string::npos;
+}
+
+void writeForAll(const std::filesystem::path& file, std::string_view contents) {
+    writeFile(file, contents);
+    std::filesystem::permissions(file, std::filesystem::perms(0644));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+std::vector<std::string> compilerCall(const Toolchain& toolchain, Box& box, const std::string& source) {
+    box.calls = Calls::compiler;
+    box.programs = true;
+    box.scratch = mostScratch;
+    for (const std::filesystem::path& folder : toolchain.reads) box.show(readableByAll(folder, box.sandbox), folder);
+    std::vector<std::string> call = {"/bin/sh", "-c", compileScript, "sh", toolchain.compiler};
+    call.insert(call.end(), toolchain.flags.begin(), toolchain.flags.end());
+    call.insert(call.end(), {"-pipe", "-shared", "-x", "c++", source});
+    return call;
 }
 
 }  // namespace
@@ -27,22 +58,13 @@ Toolchain readToolchain(const std::filesystem::path& file) {
         json.at("compiler").get_to(toolchain.compiler);
         json.at("flags").get_to(toolchain.flags);
         toolchain.worker = json.at("worker").get<std::string>();
+        for (const std::string& folder : json.at("reads").get<std::vector<std::string>>())
+            toolchain.reads.emplace_back(folder);
         json.at("sanitized").get_to(toolchain.sanitized);
         return toolchain;
     } catch (const nlohmann::json::exception& error) {
         throw Error({file.string()}, error.what());
     }
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "radlab-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error(name + ": the folder cannot be made");
-    folder = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
 }
 
 std::string firstError(const std::string& output) {
@@ -58,26 +80,32 @@ std::string firstError(const std::string& output) {
     return text.empty() ? output.substr(0, 2000) : text;
 }
 
-void compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,
-                       const Toolchain& toolchain, const Manifest& manifest) {
+std::string compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,
+                              const Toolchain& toolchain, const Manifest& manifest) {
     std::error_code failure;
     const std::filesystem::path source = std::filesystem::absolute(file, failure);
     if (!std::filesystem::is_regular_file(source, failure))
         throw Error(file.string() + ": found no such file, expected a C++ file with the six functions");
+    const TemporaryFolder folder;
+    const std::filesystem::path copy = folder.path() / "ProgRef.cpp";
+    writeForAll(copy, readFile(source));
     Command command;
-    command.arguments = {toolchain.compiler};
-    command.arguments.insert(command.arguments.end(), toolchain.flags.begin(), toolchain.flags.end());
-    for (const std::string& last : {std::string("-shared"), std::string("-x"), std::string("c++"), source.string(),
-                                    std::string("-o"), library.string()})
-        command.arguments.push_back(last);
+    Box& box = command.box.emplace(machineSandbox());
+    const std::string shown = box.show(copy, "/submission/ProgRef.cpp").string();
+    command.arguments = compilerCall(toolchain, box, shown);
     ProcessLimits limits;
     limits.seconds = manifest.compileSeconds;
-    limits.file = std::size_t{256} << 20;
+    limits.file = limits.answer = mostLibrary;
+    limits.output = mostSaid;
     const Ended ended = run(command, "", limits);
+    const std::string said = replaced(ended.output, shown, source.string());
     if (ended.how == Ended::How::timedOut)
         throw CompileError(file.string() + ": compiling took longer than " + durationText(limits.seconds));
-    if (ended.how == Ended::How::signalled || ended.code != 0)
-        throw CompileError(visibleText(firstError(ended.output)));
+    if (ended.answer.empty() || ended.answer[0] != begun)
+        throw MachineError("the compiler could not be started: " + (said.empty() ? "no reason given" : said));
+    if (ended.how == Ended::How::signalled || ended.code != 0) throw CompileError(visibleText(firstError(said)));
+    writeForAll(library, std::string_view(ended.answer).substr(1));
+    return said;
 }
 
 }  // namespace radlab::grader

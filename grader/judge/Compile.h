@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/Error.h"
+#include "grader/sandbox/TemporaryFolder.h"
 #include "grader/stages/Manifest.h"
 
 namespace radlab::grader {
@@ -14,6 +15,7 @@ struct Toolchain {
     std::string compiler;
     std::vector<std::string> flags;
     std::filesystem::path worker;
+    std::vector<std::filesystem::path> reads;  ///< folders that the flags name
     bool sanitized = false;  ///< built with the sanitizers, which need more memory and time than the manifest allows
 };
 
@@ -28,26 +30,15 @@ public:
     using Error::Error;
 };
 
-/// A folder of its own that goes with everything in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return folder; }
-
-private:
-    std::filesystem::path folder;
-};
-
-/// Compiles a submission into a shared library that the worker can load.
+/// Compiles a submission into a shared library that the worker can load, in a box where it finds the course's headers and the
+/// compiler, and nothing of the machine.
 ///
-/// @param library  the file to write
+/// @param library  the file to write; whatever the compiler does, no other is written
+/// @return what the compiler said, under the file's own name
 /// Errors: CompileError, also where the compiler takes too long; no such file; MachineError.
 /// @cost half a second where the precompiled header fits
-void compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,
-                       const Toolchain& toolchain, const Manifest& manifest);
+std::string compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,
+                              const Toolchain& toolchain, const Manifest& manifest);
 
 /// The first error in a compiler's output, with the lines that explain it.
 std::string firstError(const std::string& output);

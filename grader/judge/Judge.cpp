@@ -197,7 +197,7 @@ Result judgeSubmission(const std::filesystem::path& library, const Manifest& man
         result.maxScore += stage.maxScore;
     }
     result.seed = options.seed;
-    result.protections = protections();
+    result.protections = protections(machineSandbox());
     result.seconds = watch.seconds();
     return result;
 }

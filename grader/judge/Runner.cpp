@@ -16,17 +16,6 @@ std::vector<Step> stepsOf(const Task& task) {
     return steps;
 }
 
-void blameTheMachine(const std::vector<Task*>& tasks, const Toolchain& toolchain, const Manifest& manifest) {
-    const auto silent = [](const Task* task) { return task->run.run.answers.empty() && !task->run.run.cause.empty(); };
-    if (std::none_of(tasks.begin(), tasks.end(), silent)) return;
-    const std::string problem = workerProblem(toolchain, manifest);
-    for (Task* task : tasks)
-        if (!problem.empty() && silent(task)) {
-            task->run.machineFailed = true;
-            task->run.run.cause = problem;
-        }
-}
-
 }  // namespace
 
 Runner::Runner(std::filesystem::path submission, const Manifest& within, const Toolchain& tools,
@@ -42,14 +31,14 @@ void Runner::run(const std::vector<Task*>& tasks) {
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&] { work(tasks); });
     for (std::thread& thread : threads) thread.join();
-    blameTheMachine(tasks, toolchain, manifest);
 }
 
 void Runner::work(const std::vector<Task*>& tasks) {
+    Worker worker(library, toolchain, manifest);
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
         tell(tasks[i]->line->name);
         try {
-            perform(*tasks[i]);
+            perform(*tasks[i], worker);
         } catch (const std::exception& fault) {
             tasks[i]->run.machineFailed = true;
             tasks[i]->run.run.cause = fault.what();
@@ -57,9 +46,9 @@ void Runner::work(const std::vector<Task*>& tasks) {
     }
 }
 
-void Runner::perform(Task& task) {
+void Runner::perform(Task& task, Worker& worker) {
     const std::vector<Step> steps = stepsOf(task);
-    task.run = runWorker(library, steps, toolchain, manifest, secondsFor(task));
+    task.run = worker.run(steps, secondsFor(task));
     if (task.run.timedOut) hangs[static_cast<std::size_t>(task.stage->number)] = true;
     if (task.picture) task.verdict = judgePicture(*task.line, *task.picture, steps, task.run.run);
 }

@@ -23,7 +23,7 @@ struct Task {
     std::optional<PictureVerdict> verdict;  ///< of a picture that was run
 };
 
-/// Runs tasks on several threads, each in a process of its own.
+/// Runs tasks on several threads, each task in a process of its own.
 class Runner {
 public:
     /// @param total how many tasks there will be, for the progress
@@ -32,12 +32,12 @@ public:
 
     /// Runs the tasks, and judges the pictures among them.
     ///
-    /// What a worker that does not start leaves undone is marked as the machine's fault.
+    /// What stays undone where no worker starts is marked as the machine's fault.
     void run(const std::vector<Task*>& tasks);
 
 private:
     void work(const std::vector<Task*>& tasks);
-    void perform(Task& task);
+    void perform(Task& task, Worker& worker);
     double secondsFor(const Task& task) const;
     void tell(const std::string& now);
 

@@ -10,14 +10,22 @@ namespace radlab::grader {
 
 namespace {
 
+constexpr double slowdown = 6.0;  // by the sanitizers
+
 std::uint64_t newNonce() {
     std::random_device source;
     return (static_cast<std::uint64_t>(source()) << 32) | source();
 }
 
-Command workerCommand(const std::filesystem::path& library, const Toolchain& toolchain) {
+Command workerCommand(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest) {
     Command command;
-    command.arguments = {toolchain.worker.string(), library.string()};
+    Box& box = command.box.emplace(machineSandbox());
+    box.calls = Calls::server;
+    box.memory = static_cast<std::size_t>(manifest.mebibytes) << 20;
+    box.processFiles = toolchain.sanitized;
+    const std::filesystem::path worker = box.show(readableByAll(toolchain.worker, box.sandbox), "/judge/worker");
+    const std::filesystem::path submission = box.show(library, "/submission/submission.so");
+    command.arguments = {worker.string(), submission.string()};
     // No threads in the software renderer: as many processes as there are cores run already.
     for (const char* setting :
          {"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true",
@@ -26,14 +34,11 @@ Command workerCommand(const std::filesystem::path& library, const Toolchain& too
     return command;
 }
 
-ProcessLimits limitsOf(const Toolchain& toolchain, const Manifest& manifest, double seconds) {
+ProcessLimits limitsOf(const Toolchain& toolchain, const Manifest& manifest) {
     ProcessLimits limits;
-    limits.seconds = seconds;
-    limits.memory = static_cast<std::size_t>(manifest.mebibytes) << 20;
-    if (toolchain.sanitized) {
-        limits.memory = 0;  // the sanitizers reserve terabytes
-        limits.seconds *= 6;
-    }
+    limits.seconds = manifest.seconds * (toolchain.sanitized ? slowdown : 1.0);
+    limits.memory = toolchain.sanitized ? 0  // the sanitizers reserve terabytes
+                                        : static_cast<std::size_t>(manifest.mebibytes) << 20;
     return limits;
 }
 
@@ -51,10 +56,10 @@ std::string signalText(int number) {
     }
 }
 
-std::string causeOf(const Ended& ended, const std::string& function, const ProcessLimits& limits) {
+std::string causeOf(const Ended& ended, const std::string& function, double seconds) {
     const std::string where = function.empty() ? " before any function was called" : " in " + function;
     if (ended.how == Ended::How::timedOut)
-        return "took longer than " + durationText(limits.seconds) + where + ": look for a loop without an end";
+        return "took longer than " + durationText(seconds) + where + ": look for a loop without an end";
     if (ended.how == Ended::How::signalled) return signalText(ended.code) + where;
     return "the program ended by itself, with exit code " + std::to_string(ended.code) + "," + where +
            " (or closed the way to the judge): no verdict can come from there";
@@ -62,11 +67,13 @@ std::string causeOf(const Ended& ended, const std::string& function, const Proce
 
 }  // namespace
 
-WorkerRun runWorker(const std::filesystem::path& library, const std::vector<Step>& steps, const Toolchain& toolchain,
-                    const Manifest& manifest, double seconds) {
+Worker::Worker(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest)
+    : slower(toolchain.sanitized ? slowdown : 1.0),
+      server(workerCommand(library, toolchain, manifest), limitsOf(toolchain, manifest)) {}
+
+WorkerRun Worker::run(const std::vector<Step>& steps, double seconds) {
     const Request request{newNonce(), steps};
-    const ProcessLimits limits = limitsOf(toolchain, manifest, seconds);
-    const Ended ended = run(workerCommand(library, toolchain), toCbor(request), limits);
+    const Ended ended = server.run(toCbor(request), seconds * slower);
     WorkerRun made;
     made.run.answers = answersFromRecords(ended.answer, request);
     made.output = ended.output;
@@ -75,20 +82,8 @@ WorkerRun runWorker(const std::filesystem::path& library, const std::vector<Step
     const std::size_t answered = made.run.answers.size();
     if (answered == steps.size()) return made;
     const bool loading = answered == 1 && made.run.answers[0].stop.kind == Stop::Kind::load;
-    if (!loading) made.run.cause = causeOf(ended, steps[answered].function, limits);
+    if (!loading) made.run.cause = causeOf(ended, steps[answered].function, seconds * slower);
     return made;
-}
-
-std::string workerProblem(const Toolchain& toolchain, const Manifest& manifest) {
-    try {
-        const Ended ended = run(workerCommand("", toolchain), toCbor({newNonce(), {}}),
-                                limitsOf(toolchain, manifest, manifest.seconds));
-        if (ended.how == Ended::How::exited && ended.code == 0) return "";
-        return "the worker does not start on this machine: " +
-               (ended.output.empty() ? "no reason given" : ended.output);
-    } catch (const Error& error) {
-        return error.what();
-    }
 }
 
 }  // namespace radlab::grader

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "grader/judge/Compile.h"
+#include "grader/sandbox/ForkServer.h"
 #include "grader/stages/Verdict.h"
 
 namespace radlab::grader {
@@ -16,18 +17,23 @@ struct WorkerRun {
     bool timedOut = false;
 };
 
-/// Has a worker perform steps on a submission, in a process of its own.
+/// Workers for one submission: each run in a process of its own, in a box with the submission and nothing else.
 ///
-/// run.cause says why it ended before the last answer, in words that name the function.
-/// @param seconds of wall-clock time that it may take; six times that under the sanitizers
-///
-/// Errors: MachineError.
-WorkerRun runWorker(const std::filesystem::path& library, const std::vector<Step>& steps, const Toolchain& toolchain,
-                    const Manifest& manifest, double seconds);
+/// Belongs to one thread.
+class Worker {
+public:
+    Worker(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest);
 
-/// Whether the worker starts at all, without a submission: else nothing that it did not answer is the submission's fault.
-///
-/// @return what is wrong, empty where it works
-std::string workerProblem(const Toolchain& toolchain, const Manifest& manifest);
+    /// Performs steps.
+    ///
+    /// run.cause says why it ended before the last answer, in words that name the function.
+    /// @param seconds of wall-clock time that it may take; six times that under the sanitizers
+    /// Errors: MachineError, also where no worker starts.
+    WorkerRun run(const std::vector<Step>& steps, double seconds);
+
+private:
+    double slower;  ///< than a program without the sanitizers
+    ForkServer server;
+};
 
 }  // namespace radlab::grader

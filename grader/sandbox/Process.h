@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/Error.h"
+#include "grader/sandbox/Box.h"
 
 namespace radlab::grader {
 
@@ -14,6 +16,7 @@ struct Command {
     std::vector<std::string> arguments;  ///< the program's path first
     std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8"};
     std::filesystem::path folder = "/";  ///< where it runs
+    std::optional<Box> box;              ///< none: nothing keeps it from the machine but its limits
 };
 
 /// What a program may use. A limit of 0 is none.
@@ -56,8 +59,5 @@ public:
 ///
 /// Errors: MachineError.
 Ended run(const Command& command, std::string_view input, const ProcessLimits& limits);
-
-/// Which of the ways to keep a program in its box `run` has, for the result file.
-std::vector<std::string> protections();
 
 }  // namespace radlab::grader

@@ -1,6 +1,6 @@
 // Loads a submission, performs the steps of a request and answers; started by the judge, which alone knows what is right.
 //
-//   worker LIBRARY: the request comes on standard input, the answers go to file descriptor 3.
+//   worker LIBRARY: forks for each request; it comes on standard input, and the answers go to file descriptor 3.
 
 #include <unistd.h>
 
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/Error.h"
+#include "grader/sandbox/ServeForks.h"
 #include "grader/worker/Steps.h"
 
 using namespace radlab::grader;
@@ -61,14 +62,10 @@ void answerAll(const char* library, const Request& request) {
     }
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-    if (count != 2) return 2;
+[[noreturn]] void work(const char* library) {
     std::setvbuf(stdout, nullptr, _IOLBF, 1 << 16);  // so that little is lost in a crash
     try {
-        const Request request = requestFromCbor(received());
-        if (!request.steps.empty()) answerAll(arguments[1], request);  // no steps: only whether it starts is asked
+        answerAll(library, requestFromCbor(received()));
     } catch (const std::exception& exception) {
         std::cerr << "worker: " << exception.what() << '\n';
         flush();
@@ -76,4 +73,12 @@ int main(int count, char** arguments) {
     }
     flush();
     _exit(0);  // nothing of the submission runs once all is answered
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    serveForks([&] { work(arguments[1]); });
+    return 0;
 }
