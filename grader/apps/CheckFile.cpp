@@ -28,7 +28,7 @@ Result FileChecker::judge(const std::vector<std::string>& stages) const {
     options.report = [&](std::size_t done, std::size_t total, const std::string& now) {
         bar.show(static_cast<double>(done) / static_cast<double>(total), now);
     };
-    Result result = judgeSubmission(library, rules, toolchain, options);
+    Result result = Judge(rules, toolchain, options).judge(library);
     result.submission = std::filesystem::proximate(source).string();
     return result;
 }

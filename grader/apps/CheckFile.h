@@ -16,7 +16,7 @@ public:
 
     /// Compiles the file and judges the stages named, all where none is, with a progress bar on a terminal.
     ///
-    /// Errors: CompileError; those of compileSubmission and judgeSubmission.
+    /// Errors: CompileError; those of compileSubmission and Judge.
     Result judge(const std::vector<std::string>& stages) const;
 
     const Manifest& manifest() const { return rules; }

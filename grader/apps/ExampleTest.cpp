@@ -20,7 +20,7 @@ std::string exampleOf(const test::Folder& folder, const std::string& stage) {
     compileSubmission(folder / "ProgRef.cpp", folder / "submission.so", toolchain, manifest);
     JudgeOptions options;
     options.stages = {stage};
-    const Result result = judgeSubmission(folder / "submission.so", manifest, toolchain, options);
+    const Result result = Judge(manifest, toolchain, options).judge(folder / "submission.so");
     for (const CheckResult& check : result.stages.at(0).checks)
         if (!check.example.empty()) return check.example;
     return "";

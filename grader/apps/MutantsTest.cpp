@@ -23,7 +23,7 @@ Result judged(const Mutant& mutant, std::uint64_t seed) {
     compileSubmission(folder / "ProgRef.cpp", folder / "submission.so", toolchain, manifest);
     JudgeOptions options;
     options.seed = seed;
-    return judgeSubmission(folder / "submission.so", manifest, toolchain, options);
+    return Judge(manifest, toolchain, options).judge(folder / "submission.so");
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ private:
             options.seed = settings.firstSeed + static_cast<std::uint64_t>(i);
             options.pictures = i == 0;
             if (i > 0) options.stages = {mutant.stage};
-            const Result result = judgeSubmission(library, manifest, toolchain, options);
+            const Result result = Judge(manifest, toolchain, options).judge(library);
             if (i == 0) all.lost = lostMarks(result);
             all.verdicts.push_back(verdictOf(result, mutant.stage, manifest));
         }

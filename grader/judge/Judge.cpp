@@ -77,22 +77,36 @@ std::string awaited(const ManifestCheck& line, const std::vector<StageResult>& d
     return names;
 }
 
-class Judging {
+void addUp(Result& result) {
+    for (const StageResult& stage : result.stages) {
+        result.score += stage.score;
+        result.maxScore += stage.maxScore;
+    }
+}
+
+}  // namespace
+
+// The stages with their cases, and one submission at a time.
+class Judge::Cases {
 public:
-    Judging(const Manifest& within, const JudgeOptions& how) : manifest(within), options(how) {
+    Cases(const Manifest& within, const JudgeOptions& how) : manifest(within), options(how) {
         for (std::unique_ptr<Stage>& stage : allStages()) {
             const std::string name = stage->function();
             if (!wanted(name)) continue;
             checks[name] = stage->checks(options.seed);
             stages[name] = std::move(stage);
         }
+    }
+
+    // The tasks of a submission that has not been run yet.
+    std::size_t begin() {
+        tasks.clear();
         for (const ManifestStage& stage : manifest.stages)
             for (const ManifestCheck& line : stage.checks)
                 if (wanted(stage.stage) && (options.pictures || line.references.empty()))
                     tasks.push_back(taskOf(stage, line));
+        return tasks.size();
     }
-
-    std::size_t count() const { return tasks.size(); }
 
     // First what can be judged by itself, then what needs other stages to be right.
     std::vector<StageResult> judge(Runner& runner) {
@@ -111,6 +125,21 @@ public:
             done.insert(done.end(), results.begin(), results.end());
         }
         return done;
+    }
+
+    // Every stage with its checks, none of them run.
+    std::vector<StageResult> blocked(const std::string& why) {
+        begin();
+        std::vector<StageResult> results;
+        for (const ManifestStage& stage : manifest.stages) {
+            if (!wanted(stage.stage)) continue;
+            StageResult result = emptyResult(stage);
+            for (const Task& task : tasks)
+                if (task.stage == &stage) settle(result.checks.emplace_back(resultOf(task)), Status::blocked, why);
+            sumUp(result);
+            results.push_back(result);
+        }
+        return results;
     }
 
 private:
@@ -144,11 +173,24 @@ private:
         return task;
     }
 
-    StageResult stageResult(const ManifestStage& stage, const std::vector<StageResult>& done) const {
+    static StageResult emptyResult(const ManifestStage& stage) {
         StageResult result;
         result.number = stage.number;
         result.stage = stage.stage;
         result.title = stage.title;
+        return result;
+    }
+
+    static void sumUp(StageResult& result) {
+        result.status = statusOf(result.checks);
+        for (const CheckResult& check : result.checks) {
+            result.score += check.score;
+            result.maxScore += check.maxScore;
+        }
+    }
+
+    StageResult stageResult(const ManifestStage& stage, const std::vector<StageResult>& done) const {
+        StageResult result = emptyResult(stage);
         std::vector<const Task*> own;
         for (const Task& task : tasks)
             if (task.stage == &stage) own.push_back(&task);
@@ -167,11 +209,7 @@ private:
             }
         }
         if (!units.empty()) settleUnits(*stages.at(stage.stage), units, unitResults);
-        result.status = statusOf(result.checks);
-        for (const CheckResult& check : result.checks) {
-            result.score += check.score;
-            result.maxScore += check.maxScore;
-        }
+        sumUp(result);
         return result;
     }
 
@@ -183,22 +221,34 @@ private:
     std::vector<Task> tasks;
 };
 
-}  // namespace
+Judge::Judge(Manifest within, Toolchain tools, JudgeOptions how)
+    : manifest(std::move(within)),
+      toolchain(std::move(tools)),
+      options(std::move(how)),
+      cases(std::make_unique<Cases>(manifest, options)) {}
 
-Result judgeSubmission(const std::filesystem::path& library, const Manifest& manifest, const Toolchain& toolchain,
-                       const JudgeOptions& options) {
+Judge::~Judge() = default;
+
+Result Judge::judge(const std::filesystem::path& library) {
     const Stopwatch watch;
-    Judging judging(manifest, options);
-    Runner runner(library, manifest, toolchain, options, judging.count());
+    Runner runner(library, manifest, toolchain, options, cases->begin());
     Result result;
-    result.stages = judging.judge(runner);
-    for (const StageResult& stage : result.stages) {
-        result.score += stage.score;
-        result.maxScore += stage.maxScore;
-    }
+    result.stages = cases->judge(runner);
+    addUp(result);
     result.seed = options.seed;
     result.protections = protections(machineSandbox());
     result.seconds = watch.seconds();
+    return result;
+}
+
+Result Judge::notCompiled(const std::string& compilerSaid) const {
+    Result result;
+    result.stages = cases->blocked("judged as soon as it compiles");
+    addUp(result);
+    result.seed = options.seed;
+    result.protections = protections(machineSandbox());
+    result.compiler = compilerSaid;
+    result.compiled = false;
     return result;
 }
 

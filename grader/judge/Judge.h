@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,31 @@ struct JudgeOptions {
     std::function<void(std::size_t done, std::size_t total, const std::string& now)> report;
 };
 
-/// Judges a compiled submission: each check in a process of its own, the verdict here.
+/// Judges compiled submissions: each check in a process of its own, the verdict here.
 ///
-/// A stage whose stub is still there is notStarted; what a crash, a hang or a closed descriptor costs is the check that it happened
-/// in. Checks that need other stages are judged last, and are blocked where those have not passed.
-/// @return result.submission is left for the caller to set
-/// Errors: the worker cannot be started.
-Result judgeSubmission(const std::filesystem::path& library, const Manifest& manifest, const Toolchain& toolchain,
-                       const JudgeOptions& options);
+/// Cases, and what is right for them, follow from the seed and are found once for all submissions.
+class Judge {
+public:
+    Judge(Manifest manifest, Toolchain toolchain, JudgeOptions options);
+    ~Judge();
+
+    /// Judges one.
+    ///
+    /// A stage whose stub is still there is notStarted; what a crash, a hang or a closed descriptor costs is the check that it
+    /// happened in. Checks that need other stages are judged last, and are blocked where those have not passed.
+    /// @return result.submission is left for the caller to set
+    Result judge(const std::filesystem::path& library);
+
+    /// The verdict on one that does not compile: no marks, and no stage judged.
+    Result notCompiled(const std::string& compilerSaid) const;
+
+private:
+    class Cases;
+
+    Manifest manifest;
+    Toolchain toolchain;
+    JudgeOptions options;
+    std::unique_ptr<Cases> cases;
+};
 
 }  // namespace radlab::grader

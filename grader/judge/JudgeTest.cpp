@@ -30,7 +30,7 @@ Result judged(const std::string& text, const std::vector<std::string>& stages, s
     JudgeOptions options;
     options.stages = stages;
     options.seed = seed;
-    return judgeSubmission(folder / "submission.so", manifest, toolchain, options);
+    return Judge(manifest, toolchain, options).judge(folder / "submission.so");
 }
 
 const StageResult& stageOf(const Result& result, const std::string& name) {
@@ -87,7 +87,7 @@ TEST_CASE("a crash, a hang, an exit and a closed descriptor cost their own stage
         CHECK(stageOf(result, "maxenergy_patch").score == 0.0);
         return firstMessage(stageOf(result, "maxenergy_patch"));
     };
-    CHECK(has(only(in("kill(getpid(), 11);")), "stopped by signal 11"));
+    CHECK(has(only(in("raise(11);")), "stopped by signal 11"));
     CHECK(has(only(in("std::abort();")), "stopped by signal 6"));
     CHECK(has(only(in("for (volatile unsigned i = 0;; i = i + 1) {}", 5.0)), "took longer than "));
     CHECK(has(only(in("std::cout << \"all passed, score 100\\n\"; std::exit(0);")),
@@ -175,8 +175,8 @@ TEST_CASE("the same seed draws the same cases") {
 TEST_CASE("a worker that does not start is an error of the machine, never marks lost") {
     Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
     toolchain.worker = "/bin/false";
-    const Result result = judgeSubmission("/nowhere.so", readManifest(manifestFile()), toolchain, {});
+    const Result result = Judge(readManifest(manifestFile()), toolchain, {}).judge("/nowhere.so");
     for (const StageResult& stage : result.stages)
         if (stage.stage != "together") CHECK(stage.status == Status::error);
-    CHECK(has(firstMessage(result.stages.at(0)), "the worker does not start"));
+    CHECK(has(firstMessage(result.stages.at(0)), "does not start on this machine"));
 }

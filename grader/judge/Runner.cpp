@@ -20,7 +20,12 @@ std::vector<Step> stepsOf(const Task& task) {
 
 Runner::Runner(std::filesystem::path submission, const Manifest& within, const Toolchain& tools,
                const JudgeOptions& how, std::size_t count)
-    : library(std::move(submission)), manifest(within), toolchain(tools), options(how), total(count) {
+    : library(std::move(submission)),
+      manifest(within),
+      toolchain(tools),
+      options(how),
+      total(count),
+      alone(library, tools, within) {
     RADLAB_CHECK(manifest.stages.size() < mostStages);
 }
 
@@ -28,13 +33,20 @@ void Runner::run(const std::vector<Task*>& tasks) {
     next = 0;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     const auto count = std::min<std::size_t>(options.jobs ? options.jobs : cores, tasks.size());
+    if (options.jobs == 1) {
+        work(tasks, alone);
+        return;
+    }
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&] { work(tasks); });
+    for (std::size_t i = 0; i < count; ++i)
+        threads.emplace_back([&] {
+            Worker worker(library, toolchain, manifest);  // goes with its thread
+            work(tasks, worker);
+        });
     for (std::thread& thread : threads) thread.join();
 }
 
-void Runner::work(const std::vector<Task*>& tasks) {
-    Worker worker(library, toolchain, manifest);
+void Runner::work(const std::vector<Task*>& tasks, Worker& worker) {
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
         tell(tasks[i]->line->name);
         try {

@@ -36,7 +36,7 @@ public:
     void run(const std::vector<Task*>& tasks);
 
 private:
-    void work(const std::vector<Task*>& tasks);
+    void work(const std::vector<Task*>& tasks, Worker& worker);
     void perform(Task& task, Worker& worker);
     double secondsFor(const Task& task) const;
     void tell(const std::string& now);
@@ -48,6 +48,7 @@ private:
     const Toolchain& toolchain;
     const JudgeOptions& options;
     std::size_t total;
+    Worker alone;  // of the one thread that there is with one job
     std::atomic<std::size_t> next = 0;
     std::array<std::atomic<bool>, mostStages> hangs{};  // by the stage's number
     std::mutex telling;

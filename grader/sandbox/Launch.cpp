@@ -111,6 +111,8 @@ std::vector<std::string> argumentsOf(const Command& command, bool boxed, bool fi
 
 }  // namespace
 
+uid_t ownUserOfThread() { return firstOwnUser + static_cast<uid_t>(gettid()); }
+
 Launched::Launched(const Command& command, const ProcessLimits& limits, int input, int output, int answer) {
     const Box* box = command.box ? &*command.box : nullptr;
     const bool boxed = box && !box->sandbox.bubblewrap.empty(), filtered = box && box->sandbox.filter;
@@ -122,7 +124,7 @@ Launched::Launched(const Command& command, const ProcessLimits& limits, int inpu
     start.limits = &limits;
     start.folder = boxed ? "/" : command.folder.c_str();
     if (box && box->sandbox.ownUser) {
-        start.user = firstOwnUser + static_cast<uid_t>(gettid());
+        start.user = ownUserOfThread();
         start.processes = box->processes;
     }
     if (box && box->scratch && !boxed) {

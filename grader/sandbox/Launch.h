@@ -11,6 +11,9 @@
 
 namespace radlab::grader {
 
+/// The own user of the boxes that this thread starts: nobody else's, and no account of the machine.
+uid_t ownUserOfThread();
+
 /// A program that was started in its box; killed with all that it started when this goes.
 class Launched {
 public:

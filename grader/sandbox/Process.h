@@ -16,7 +16,7 @@ struct Command {
     std::vector<std::string> arguments;  ///< the program's path first
     std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8"};
     std::filesystem::path folder = "/";  ///< where it runs
-    std::optional<Box> box;              ///< none: nothing keeps it from the machine but its limits
+    std::optional<Box> box = std::nullopt;  ///< none: nothing keeps it from the machine but its limits
 };
 
 /// What a program may use. A limit of 0 is none.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "course/PatchMesh.h"
 #include "gl/Context.h"
@@ -12,10 +13,10 @@ namespace radlab::grader {
 
 /// Performs the steps of a request, one after the other, on one mesh of patches.
 ///
-/// An OpenGL context and a hemicube are made when the first step needs them, and kept.
+/// A hemicube, and without a context an OpenGL context, too, are made when the first step needs them, and kept.
 class Steps {
 public:
-    explicit Steps(Submission& loaded) : submission(loaded) {}
+    Steps(Submission& loaded, std::unique_ptr<GlContext> started) : submission(loaded), context(std::move(started)) {}
 
     /// Prepares the state, calls the function, and says what is left.
     ///

@@ -8,11 +8,14 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "base/Error.h"
 #include "grader/sandbox/ServeForks.h"
 #include "grader/worker/Steps.h"
+#include "grader/worker/WarmOpenGl.h"
 
 using namespace radlab::grader;
 
@@ -46,10 +49,10 @@ void flush() {
     std::fflush(nullptr);
 }
 
-void answerAll(const char* library, const Request& request) {
+void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, const Request& request) {
     try {
         Submission submission(library);
-        Steps steps(submission);
+        Steps steps(submission, std::move(openGl));
         for (std::size_t i = 0; i < request.steps.size(); ++i) {
             const StepAnswer answer = steps.perform(request.steps[i]);
             flush();
@@ -62,10 +65,10 @@ void answerAll(const char* library, const Request& request) {
     }
 }
 
-[[noreturn]] void work(const char* library) {
+[[noreturn]] void work(const char* library, std::unique_ptr<radlab::GlContext> openGl) {
     std::setvbuf(stdout, nullptr, _IOLBF, 1 << 16);  // so that little is lost in a crash
     try {
-        answerAll(library, requestFromCbor(received()));
+        answerAll(library, std::move(openGl), requestFromCbor(received()));
     } catch (const std::exception& exception) {
         std::cerr << "worker: " << exception.what() << '\n';
         flush();
@@ -79,6 +82,7 @@ void answerAll(const char* library, const Request& request) {
 
 int main(int count, char** arguments) {
     if (count != 2) return 2;
-    serveForks([&] { work(arguments[1]); });
+    std::unique_ptr<radlab::GlContext> openGl = warmOpenGl();
+    serveForks([&] { work(arguments[1], std::move(openGl)); });
     return 0;
 }

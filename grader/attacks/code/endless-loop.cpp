@@ -1,0 +1,5 @@
+// Never comes back.
+static void attack() {
+    for (volatile int i = 0;; i = i + 1) {
+    }
+}

@@ -1,0 +1,4 @@
+// Waits for ever.
+static void attack() {
+    for (;;) pause();
+}

