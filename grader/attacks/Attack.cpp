@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -60,20 +61,30 @@ bool isLeftBehind(const fs::path& place, std::string& why) {
     return false;
 }
 
+// What has ended may stay in the list until somebody asks how. The state stands after the name, which may hold anything.
+bool runs(const fs::path& process) {
+    std::ifstream file(process / "stat");
+    std::string line;
+    std::getline(file, line);
+    const std::size_t end = line.rfind(") ");
+    return end != std::string::npos && line.compare(end + 2, 1, "Z") != 0 && line.compare(end + 2, 1, "X") != 0;
+}
+
 // The own user of every box that this thread starts is the same; see Launch.cpp.
 bool hasProcesses(uid_t user) {
     for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
         struct stat about {};
         const std::string name = entry.path().filename().string();
         const bool process = std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-        if (process && stat(entry.path().c_str(), &about) == 0 && about.st_uid == user) return true;
+        if (process && stat(entry.path().c_str(), &about) == 0 && about.st_uid == user && runs(entry.path()))
+            return true;
     }
     return false;
 }
 
 // The kernel takes a moment to clear a namespace away.
-bool processesStay() {
-    if (!machineSandbox().ownUser) return false;
+bool processesStay(const Sandbox& sandbox) {
+    if (!sandbox.ownUser) return false;
     for (int i = 0; i < 400; ++i) {
         if (!hasProcesses(ownUserOfThread())) return false;
         usleep(5000);
@@ -105,19 +116,19 @@ std::string breachIn(const Result& result) {
     return "";
 }
 
-std::string problemOf(const Attack& attack, const Result& result) {
+std::string problemOf(const Attack& attack, const Result& result, const Sandbox& sandbox) {
     std::string why = marksProblem(attack, result);
     if (why.empty()) why = breachIn(result);
     if (why.empty() && !attack.never.empty() && resultToJson(result).dump().find(attack.never) != std::string::npos)
         why = "the result holds " + quoted(attack.never);
     for (const char* place : {"/tmp", "/var/tmp", "/dev/shm", "/", RADLAB_SOURCE_DIR, "."})
         if (why.empty() && isLeftBehind(place, why)) break;
-    if (why.empty() && processesStay()) why = "processes were left behind";
+    if (why.empty() && processesStay(sandbox)) why = "processes were left behind";
     return why;
 }
 
-std::string lackingFor(const Attack& attack) {
-    const std::vector<std::string> here = protections(machineSandbox());
+std::string lackingFor(const Attack& attack, const Sandbox& sandbox) {
+    const std::vector<std::string> here = protections(sandbox);
     std::string lacking;
     for (const std::string& name : attack.stoppedBy)
         if (std::find(here.begin(), here.end(), name) == here.end()) lacking += (lacking.empty() ? "" : ", ") + name;
@@ -175,14 +186,14 @@ std::string attackText(const Attack& attack) {
 
 AttackVerdict tryAttack(const Attack& attack, const Toolchain& toolchain, const Manifest& manifest) {
     AttackVerdict verdict;
-    verdict.why = lackingFor(attack);
+    verdict.why = lackingFor(attack, toolchain.sandbox);
     if (!verdict.why.empty()) {
         verdict.lacksProtection = true;
         return verdict;
     }
     for (int run = 0; run < (attack.twice ? 2 : 1) && verdict.why.empty(); ++run) {
         verdict.result = judged(attack, toolchain, shortened(manifest));
-        verdict.why = problemOf(attack, verdict.result);
+        verdict.why = problemOf(attack, verdict.result, toolchain.sandbox);
     }
     verdict.stopped = verdict.why.empty();
     return verdict;

@@ -37,6 +37,28 @@ TEST_CASE("attacks are stopped, the first third of them") { tryEvery(0); }
 TEST_CASE("attacks are stopped, the second third of them") { tryEvery(1); }
 TEST_CASE("attacks are stopped, the last third of them") { tryEvery(2); }
 
+// Else nothing would tell a suite that is stopped from one that does nothing.
+TEST_CASE("without what stops it, an attack gets through, and is seen") {
+    Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+    if (!toolchain.sandbox.ownUser) {
+        MESSAGE("not tried: this machine lacks an own user, and would be at risk");
+        return;
+    }
+    toolchain.sandbox.bubblewrap.clear();
+    toolchain.sandbox.filter = false;
+    for (Attack& attack : allAttacks()) {
+        CAPTURE(attack.id);
+        if (!(attack.id == "read-secrets" || attack.id == "sockets" || attack.id == "leave-state" ||
+              attack.id == "include-passwd" || attack.id == "fill-files"))
+            continue;
+        CHECK(tryAttack(attack, toolchain, impatient()).lacksProtection);
+        attack.stoppedBy.clear();
+        const AttackVerdict verdict = tryAttack(attack, toolchain, impatient());
+        CHECK_FALSE(verdict.stopped);
+        CHECK_FALSE(verdict.why.empty());
+    }
+}
+
 TEST_CASE("each attack has its code, and each code its line in the list") {
     std::size_t codes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(RADLAB_SOURCE_DIR "/grader/attacks/code"))

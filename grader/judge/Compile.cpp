@@ -55,6 +55,7 @@ Toolchain readToolchain(const std::filesystem::path& file) {
     try {
         const nlohmann::json json = nlohmann::json::parse(readFile(file));
         Toolchain toolchain;
+        toolchain.sandbox = machineSandbox();
         json.at("compiler").get_to(toolchain.compiler);
         json.at("flags").get_to(toolchain.flags);
         toolchain.worker = json.at("worker").get<std::string>();
@@ -90,7 +91,7 @@ std::string compileSubmission(const std::filesystem::path& file, const std::file
     const std::filesystem::path copy = folder.path() / "ProgRef.cpp";
     writeForAll(copy, readFile(source));
     Command command;
-    Box& box = command.box.emplace(machineSandbox());
+    Box& box = command.box.emplace(toolchain.sandbox);
     const std::string shown = box.show(copy, "/submission/ProgRef.cpp").string();
     command.arguments = compilerCall(toolchain, box, shown);
     ProcessLimits limits;

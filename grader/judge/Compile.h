@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/Error.h"
+#include "grader/sandbox/Sandbox.h"
 #include "grader/sandbox/TemporaryFolder.h"
 #include "grader/stages/Manifest.h"
 
@@ -16,10 +17,11 @@ struct Toolchain {
     std::vector<std::string> flags;
     std::filesystem::path worker;
     std::vector<std::filesystem::path> reads;  ///< folders that the flags name
+    Sandbox sandbox;                           ///< that submissions run in
     bool sanitized = false;  ///< built with the sanitizers, which need more memory and time than the manifest allows
 };
 
-/// Reads what the build wrote.
+/// Reads what the build wrote; the sandbox is this machine's.
 ///
 /// Errors: no such file, or one that is not as it should be.
 Toolchain readToolchain(const std::filesystem::path& file);

@@ -236,7 +236,7 @@ Result Judge::judge(const std::filesystem::path& library) {
     result.stages = cases->judge(runner);
     addUp(result);
     result.seed = options.seed;
-    result.protections = protections(machineSandbox());
+    result.protections = protections(toolchain.sandbox);
     result.seconds = watch.seconds();
     return result;
 }
@@ -246,7 +246,7 @@ Result Judge::notCompiled(const std::string& compilerSaid) const {
     result.stages = cases->blocked("judged as soon as it compiles");
     addUp(result);
     result.seed = options.seed;
-    result.protections = protections(machineSandbox());
+    result.protections = protections(toolchain.sandbox);
     result.compiler = compilerSaid;
     result.compiled = false;
     return result;

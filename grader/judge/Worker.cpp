@@ -19,7 +19,7 @@ std::uint64_t newNonce() {
 
 Command workerCommand(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest) {
     Command command;
-    Box& box = command.box.emplace(machineSandbox());
+    Box& box = command.box.emplace(toolchain.sandbox);
     box.calls = Calls::server;
     box.memory = static_cast<std::size_t>(manifest.mebibytes) << 20;
     box.processFiles = toolchain.sanitized;

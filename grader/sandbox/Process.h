@@ -15,7 +15,7 @@ namespace radlab::grader {
 struct Command {
     std::vector<std::string> arguments;  ///< the program's path first
     std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8"};
-    std::filesystem::path folder = "/";  ///< where it runs
+    std::filesystem::path folder = "/";     ///< where it runs
     std::optional<Box> box = std::nullopt;  ///< none: nothing keeps it from the machine but its limits
 };
 
