@@ -24,6 +24,9 @@ function(radlab_targets_of folders out)
 endfunction()
 
 function(radlab_library folder)
+  if(NOT IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
+    return()  # not in the package that students get
+  endif()
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   list(FILTER sources EXCLUDE REGEX "(Test|Fuzz)\\.cpp$")
   radlab_layer_of(${folder} lower)
@@ -41,10 +44,21 @@ function(radlab_submission name file)
   target_precompile_headers(radlab_${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework/course/ProgRef.h)
 endfunction()
 
+# Whether all the project's own libraries of a list are there: the package that students get has no solution.
+function(radlab_have libraries out)
+  set(${out} TRUE PARENT_SCOPE)
+  foreach(library IN LISTS libraries)
+    if(library MATCHES "^radlab_" AND NOT TARGET ${library})
+      set(${out} FALSE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
 # A test program of all …Test.cpp in a folder, its cases listed one by one in ctest.
 function(radlab_tests name folder)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*Test.cpp)
-  if(NOT doctest_FOUND OR NOT sources)
+  radlab_have("${ARGN}" have)
+  if(NOT doctest_FOUND OR NOT sources OR NOT have)
     return()
   endif()
   add_executable(${name} ${sources})
@@ -54,7 +68,8 @@ endfunction()
 
 # The program <source>.cpp.
 function(radlab_program name source)
-  if(NOT CLI11_FOUND)
+  radlab_have("${ARGN}" have)
+  if(NOT CLI11_FOUND OR NOT have OR NOT EXISTS ${PROJECT_SOURCE_DIR}/${source}.cpp)
     return()
   endif()
   add_executable(${name} ${PROJECT_SOURCE_DIR}/${source}.cpp)

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "grader/stages/IdRaster.h"
+#include "grader/stages/Remembered.h"
 
 namespace radlab::grader {
 
@@ -14,11 +16,31 @@ namespace {
 constexpr int samples = 2;  // per pixel along each edge
 constexpr int edge = samples * pictureSize;
 
-IdImage visiblePatches(const State& state, const Camera& camera) {
-    RasterStyle fronts;
-    fronts.cull = RasterStyle::Cull::back;
-    const std::array<IdView, 1> views = {{{clipFromWorld(state, camera), 0, 0, edge, edge}}};
-    return rasterIds(state, views, edge, edge, fronts);
+// All pictures are of a few boxes, which many submissions colour.
+Fingerprint pictureKey(const State& state, const Camera& camera) {
+    Fingerprint key;
+    key.addShape(state);
+    for (const Vec3f& v : {camera.position, camera.direction, camera.up}) key.add(v);
+    key.add(camera.fieldOfView);
+    return key;
+}
+
+// As Remembered, for several threads.
+template <class Value, class Make>
+std::shared_ptr<const Value> remembered(const State& state, const Camera& camera, const Make& make) {
+    static std::mutex one;
+    static Remembered<Value> known;
+    const std::scoped_lock lock(one);
+    return known.get(pictureKey(state, camera), make);
+}
+
+std::shared_ptr<const IdImage> visiblePatches(const State& state, const Camera& camera) {
+    return remembered<IdImage>(state, camera, [&] {
+        RasterStyle fronts;
+        fronts.cull = RasterStyle::Cull::back;
+        const std::array<IdView, 1> views = {{{clipFromWorld(state, camera), 0, 0, edge, edge}}};
+        return rasterIds(state, views, edge, edge, fronts);
+    });
 }
 
 // Where the ray through a sample's centre meets the plane of a patch.
@@ -48,20 +70,39 @@ glm::dvec3 barycentric(const glm::dvec3& p, const std::array<glm::dvec3, 3>& cor
     return parts / (parts.x + parts.y + parts.z);
 }
 
-glm::vec3 smoothColor(const State& state, const MyPolygon& patch, const glm::dvec3& p,
-                      const std::function<glm::vec3(std::size_t)>& color) {
+// The three corners whose colours a sample shows, and how much of each.
+struct Mix {
+    std::array<std::uint32_t, 3> corners{};
+    glm::vec3 shares{0.0f};
+};
+
+Mix mixAt(const State& state, const MyPolygon& patch, const glm::dvec3& p) {
+    Mix mix;
     glm::dvec3 shares(0.0);
-    std::array<std::size_t, 3> corners{};
     for (int second = 1; second + 1 < patch.vertices; ++second) {
-        corners = {static_cast<std::size_t>(patch.vertex[0]), static_cast<std::size_t>(patch.vertex[second]),
-                   static_cast<std::size_t>(patch.vertex[second + 1])};
-        const auto at = [&](std::size_t i) { return glm::dvec3(state.corners[corners[i]].position); };
+        mix.corners = {static_cast<std::uint32_t>(patch.vertex[0]), static_cast<std::uint32_t>(patch.vertex[second]),
+                       static_cast<std::uint32_t>(patch.vertex[second + 1])};
+        const auto at = [&](std::size_t i) { return glm::dvec3(state.corners[mix.corners[i]].position); };
         shares = barycentric(p, {at(0), at(1), at(2)}, glm::dvec3(patch.normal));
         if (shares.y >= 0.0) break;  // on this side of the diagonal
     }
-    shares = glm::clamp(shares, 0.0, 1.0);
-    return static_cast<float>(shares.x) * color(corners[0]) + static_cast<float>(shares.y) * color(corners[1]) +
-           static_cast<float>(shares.z) * color(corners[2]);
+    mix.shares = glm::vec3(glm::clamp(shares, 0.0, 1.0));
+    return mix;
+}
+
+// One a sample; of samples that show no patch, what stands there means nothing.
+std::shared_ptr<const std::vector<Mix>> mixes(const State& state, const Camera& camera, const IdImage& ids) {
+    return remembered<std::vector<Mix>>(state, camera, [&] {
+        const Rays rays(state, camera);
+        std::vector<Mix> all(ids.patch.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (ids.patch[i] < 0) continue;
+            const MyPolygon& patch = state.patches[static_cast<std::size_t>(ids.patch[i])];
+            const int x = static_cast<int>(i) % edge, y = static_cast<int>(i) / edge;
+            all[i] = mixAt(state, patch, rays.hit(x, y, patch));
+        }
+        return all;
+    });
 }
 
 template <class ColorAt>
@@ -69,8 +110,9 @@ Image drawn(const IdImage& ids, const ColorAt& colorAt) {
     Image image(edge, edge);
     for (int y = 0; y < edge; ++y)
         for (int x = 0; x < edge; ++x) {
-            const int patch = ids.patch[static_cast<std::size_t>(y) * edge + static_cast<std::size_t>(x)];
-            if (patch >= 0) image.at(x, edge - 1 - y) = colorAt(x, y, static_cast<std::size_t>(patch));
+            const std::size_t sample = static_cast<std::size_t>(y) * edge + static_cast<std::size_t>(x);
+            const int patch = ids.patch[sample];
+            if (patch >= 0) image.at(x, edge - 1 - y) = colorAt(sample, static_cast<std::size_t>(patch));
         }
     return image.shrunk(samples);
 }
@@ -91,14 +133,18 @@ glm::dmat4 clipFromWorld(const State& state, const Camera& camera) {
 }
 
 Image drawFlat(const State& state, const Camera& camera, const std::function<glm::vec3(std::size_t)>& color) {
-    return drawn(visiblePatches(state, camera), [&](int, int, std::size_t patch) { return color(patch); });
+    return drawn(*visiblePatches(state, camera), [&](std::size_t, std::size_t patch) { return color(patch); });
 }
 
 Image drawSmooth(const State& state, const Camera& camera, const std::function<glm::vec3(std::size_t)>& color) {
-    const Rays rays(state, camera);
-    return drawn(visiblePatches(state, camera), [&](int x, int y, std::size_t index) {
-        const MyPolygon& patch = state.patches[index];
-        return smoothColor(state, patch, rays.hit(x, y, patch), color);
+    const std::shared_ptr<const IdImage> ids = visiblePatches(state, camera);
+    const std::shared_ptr<const std::vector<Mix>> all = mixes(state, camera, *ids);
+    std::vector<glm::vec3> colors(state.corners.size());
+    for (std::size_t k = 0; k < colors.size(); ++k) colors[k] = color(k);
+    return drawn(*ids, [&](std::size_t sample, std::size_t) {
+        const Mix& mix = (*all)[sample];
+        return mix.shares.x * colors[mix.corners[0]] + mix.shares.y * colors[mix.corners[1]] +
+               mix.shares.z * colors[mix.corners[2]];
     });
 }
 

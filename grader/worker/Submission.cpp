@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cfenv>
 #include <map>
 
 #include "base/Error.h"
@@ -28,6 +29,7 @@ const std::map<std::string, const char*> symbols = {
 
 Submission::Submission(const std::filesystem::path& file) : library(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {
     if (!library) throw Error(dlerror());
+    std::fesetenv(FE_DFL_ENV);  // a library that was linked for speed may have had small numbers flushed to zero
     current = this;
 }
 

@@ -1,0 +1,102 @@
+#!/bin/sh
+# Tests of grade --engine slurm on a cluster of one node, which runs on this machine as long as the test: SlurmTest.sh PROGRAM PROJECT CLAIM
+. "$(dirname "$0")/ProgramTest.sh"
+PATH=$PATH:/usr/sbin:/sbin
+
+stop() {
+    [ ! -f slurm.conf ] || SLURM_CONF=$PWD/slurm.conf scontrol shutdown >/dev/null 2>&1
+    for name in slurmctld slurmd munged; do
+        [ ! -f "$name.pid" ] || kill "$(cat "$name.pid")" 2>/dev/null
+    done
+    sleep 0.5
+    rm -rf "$work"
+}
+skip() { echo "-- skipped: $*"; exit 0; }
+
+for tool in munged slurmctld slurmd sbatch; do
+    command -v "$tool" >/dev/null || skip "$tool is missing (apt-get install slurm-wlm)"
+done
+[ "$(id -u)" = 0 ] || skip "the daemons of a cluster start as root alone"
+trap stop EXIT
+
+# A port that nothing listens on, and its neighbour.
+port=$((20000 + $$ % 20000))
+host=$(hostname -s)
+start_munge() {
+    mkdir -m 700 munge
+    head -c 1024 /dev/urandom >munge/key
+    chmod 400 munge/key
+    chmod 711 .
+    munged --force --key-file="$PWD/munge/key" --socket="$PWD/munge/socket" --pid-file="$PWD/munged.pid" \
+        --log-file="$PWD/munge/log" --seed-file="$PWD/munge/seed" || skip "munged does not start: $(cat munge/log)"
+}
+start_slurm() {
+    mkdir state spool
+    cat >slurm.conf <<END
+ClusterName=radlab
+SlurmctldHost=$host(127.0.0.1)
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket=$PWD/munge/socket
+SlurmctldPort=$port
+SlurmdPort=$((port + 1))
+StateSaveLocation=$PWD/state
+SlurmdSpoolDir=$PWD/spool
+SlurmctldPidFile=$PWD/slurmctld.pid
+SlurmdPidFile=$PWD/slurmd.pid
+SlurmctldLogFile=$PWD/slurmctld.log
+SlurmdLogFile=$PWD/slurmd.log
+ProctrackType=proctrack/pgid
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SchedulerType=sched/builtin
+MpiDefault=none
+ReturnToService=2
+KillWait=1
+NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+PartitionName=all Nodes=ALL Default=YES MaxTime=60 State=UP
+END
+    export SLURM_CONF="$PWD/slurm.conf"
+    slurmctld -c -f slurm.conf
+    slurmd -f "$PWD/slurm.conf"
+    for _ in $(seq 100); do
+        ! sinfo -h -o %T 2>/dev/null | grep -q idle || return 0
+        sleep 0.2
+    done
+    skip "no cluster could be started: $(tail -n 3 slurmctld.log slurmd.log)"
+}
+start_munge
+start_slurm
+
+hands_in() { mkdir -p "class/$1" && cat >"class/$1/ProgRef.cpp"; }
+marks() { sqlite3 "$1/grades.db" 'select hash, json_extract(json, "$.score") from result order by hash' 2>/dev/null || true; }
+
+case $claim in
+    "a class gets the same marks on a cluster as here, and what a lost task had is graded again")
+        hands_in student-01 <"$project/exercises/ProgRef.cpp"
+        hands_in student-02 <"$project/solutions/ProgRef.cpp"
+        printf '#include "ProgRef.h"\n\nint a = nonsense;\n' | hands_in student-03
+        { cat "$project/solutions/ProgRef.cpp"; echo "// four"; } | hands_in student-04
+        "$program" class --out there --engine slurm --slurm=--time=10 >out 2>err &
+        grading=$!
+        # The first task is lost, as if its machine had died.
+        for _ in $(seq 300); do
+            job=$(squeue -h -t RUNNING -o %A 2>/dev/null | head -n 1)
+            [ -z "$job" ] || break
+            sleep 0.1
+        done
+        scancel --signal=KILL --full "$job" || true
+        code=0
+        wait "$grading" || code=$?
+        [ "$code" = 0 ] || wrong "exit code $code: $(cat out err there/slurm/*/logs/*)"
+        says out 'graded: 4, of which the store had 0'
+        run class --out here
+        exits 0
+        cmp -s there/grades/marks.csv here/grades/marks.csv || {
+            cut -d, -f1-12 there/grades/marks.csv >a; cut -d, -f1-12 here/grades/marks.csv >b
+            cmp a b || wrong "$(cat a b)"
+        } ;;
+    *) wrong "no such claim" ;;
+esac
