@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/Error.h"
+#include "grader/protocol/Cbor.h"
 #include "grader/protocol/PlainText.h"
 
 namespace radlab::grader {
@@ -10,6 +11,8 @@ namespace radlab::grader {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::size_t deepest = 16;  // levels of its CBOR, with some to spare
 
 Json toJson(const CheckPicture& picture) {
     Json images = Json::array();
@@ -52,7 +55,7 @@ std::string toCbor(const Graded& graded) {
 
 Graded gradedFromCbor(std::string_view bytes) {
     try {
-        const Json json = Json::from_cbor(bytes);
+        const Json json = cborWithin(bytes, deepest);
         Graded graded;
         graded.result = resultFromJson(json.at("result"));
         for (const Json& picture : json.at("pictures")) graded.pictures.push_back(pictureFrom(picture));

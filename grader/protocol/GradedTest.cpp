@@ -38,4 +38,5 @@ TEST_CASE("bytes that are cut off or something else are an error") {
     for (const std::size_t length : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
         CHECK_THROWS_AS(gradedFromCbor(std::string_view(bytes).substr(0, length)), Error);
     CHECK_THROWS_AS(gradedFromCbor("\xa0"), Error);
+    CHECK_THROWS_AS(gradedFromCbor(std::string(1'000'000, '\x81')), Error);
 }

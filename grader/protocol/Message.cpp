@@ -9,12 +9,15 @@
 #include <nlohmann/json.hpp>
 
 #include "base/Error.h"
+#include "grader/protocol/Cbor.h"
 
 namespace radlab::grader {
 
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::size_t deepest = 8;  // of a message: levels of its CBOR, with some to spare
 
 // A member of MyPolygon or MyVertex, which travels as one packed array over all patches or vertices.
 struct Member {
@@ -180,7 +183,7 @@ std::string toCbor(const Request& request) {
 
 Request requestFromCbor(std::string_view bytes) {
     try {
-        const Json json = Json::from_cbor(bytes);
+        const Json json = cborWithin(bytes, deepest);
         Request request;
         json.at("nonce").get_to(request.nonce);
         for (const Json& step : json.at("steps")) request.steps.push_back(stepFromJson(step));
@@ -215,7 +218,7 @@ std::vector<StepAnswer> answersFromRecords(std::string_view bytes, const Request
         bytes.remove_prefix(sizeof length);
         if (length > bytes.size()) break;
         try {
-            const Json json = Json::from_cbor(bytes.substr(0, length));
+            const Json json = cborWithin(bytes.substr(0, length), deepest);
             if (json.at("nonce").get<std::uint64_t>() != request.nonce || json.at("step").get<std::size_t>() != i)
                 break;
             const Step& step = request.steps[i];

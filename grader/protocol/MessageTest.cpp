@@ -1,5 +1,7 @@
 #include "grader/protocol/Message.h"
 
+#include <cstring>
+
 #include <doctest/doctest.h>
 
 #include "base/Error.h"
@@ -93,4 +95,13 @@ TEST_CASE("answers that are cut off, changed, of another request or out of order
         changed[i] = static_cast<char>(changed[i] ^ 0x55);
         CHECK_NOTHROW(answersFromRecords(changed, asked));
     }
+}
+
+TEST_CASE("a record of nothing but levels ends the list, and such a request is an error") {
+    const Request asked = request();
+    const std::uint64_t length = 1'000'000;
+    std::string record(sizeof length + length, '\x81');
+    std::memcpy(record.data(), &length, sizeof length);
+    CHECK(answersFromRecords(record, asked).empty());
+    CHECK_THROWS_AS(requestFromCbor(std::string(1'000'000, '\x81')), Error);
 }

@@ -10,7 +10,7 @@ namespace radlab::grader {
 /// Who handed something in, as the folder of submissions tells.
 struct Student {
     std::string id;         ///< unique in the class; letters, digits, '.', '_', '-': names the student's page
-    std::string name;       ///< as the folder or file is called: any bytes
+    std::string name;       ///< as the download tells it, else as the folder or file is called: any bytes
     std::string account;    ///< Canvas' user ID, Moodle's participant number, GitHub's login; else the folder's name
     std::string submitted;  ///< when, ISO 8601 in UTC ("2026-11-23T08:15:00Z"); empty where nothing tells
     bool late = false;
