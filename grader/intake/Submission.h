@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct IntakeRules {
     std::size_t deepest = 8;                              ///< folders inside one another
     std::size_t mostRemarks = 20;                         ///< the rest is counted in one
     std::filesystem::path unpack;                         ///< the program that reads archives
-    Sandbox sandbox = machineSandbox();                   ///< that it runs in
+    std::optional<Sandbox> sandbox;                       ///< that it runs in; nothing: this machine's
 };
 
 /// A student, and where in the class' folder the submission lies.

@@ -13,7 +13,7 @@ constexpr std::size_t mostMemory = std::size_t{1} << 30;  // bytes
 
 Command commandFor(const IntakeRules& rules) {
     Command command;
-    Box& box = command.box.emplace(rules.sandbox);
+    Box& box = command.box.emplace(rules.sandbox ? *rules.sandbox : machineSandbox());
     box.calls = Calls::server;
     box.memory = mostMemory;
 #ifdef __SANITIZE_ADDRESS__

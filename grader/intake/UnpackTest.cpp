@@ -23,7 +23,7 @@ struct Stand {
 
     explicit Stand(const std::string& script) {
         rules.unpack = folder / "unpack.sh";
-        rules.sandbox = {};  // there is no shell in the box
+        rules.sandbox.emplace();  // there is no shell in the box
         test::put(rules.unpack, "#!/bin/sh\ncat > /dev/null\n" + script + "\n");
         REQUIRE(chmod(rules.unpack.c_str(), 0755) == 0);
     }
