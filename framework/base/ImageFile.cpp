@@ -32,37 +32,39 @@
 
 namespace radlab {
 
+namespace {
+
+const glm::vec3 magenta(1.0f, 0.0f, 1.0f);
+
+bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
 void requireImageFile(const std::filesystem::path& file) {
     if (file.extension() != ".png" && file.extension() != ".hdr")
         throw Error({file.string()}, "unknown kind of picture: found the ending '" + file.extension().string() +
                                          "', expected .png or .hdr");
 }
 
-#ifdef RADLAB_HAVE_STB
-
-namespace {
-
-const glm::vec3 magenta(1.0f, 0.0f, 1.0f);
-constexpr float brightestHdr = 1.6e38f;  // above 2^127 stb's exponent byte runs over
-
-void append(void* context, void* data, int size) {
-    static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-}
-
-bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::string encodePng(const Image& image) {
-    std::vector<std::uint8_t> bytes;
+std::string rgbBytes(const Image& image) {
+    std::string bytes;
     bytes.reserve(image.data().size() * 3);
     for (const glm::vec3& pixel : image.data()) {
         const glm::vec3 shown = finite(pixel) ? pixel : magenta;
         for (int c = 0; c < 3; ++c)
-            bytes.push_back(
-                static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(shown[c], 0.0f), 1.0f) * 255.0f)));
+            bytes.push_back(static_cast<char>(std::lround(std::fmin(std::fmax(shown[c], 0.0f), 1.0f) * 255.0f)));
     }
-    std::string encoded;
-    stbi_write_png_to_func(append, &encoded, image.width(), image.height(), 3, bytes.data(), 3 * image.width());
-    return encoded;
+    return bytes;
+}
+
+#ifdef RADLAB_HAVE_STB
+
+namespace {
+
+constexpr float brightestHdr = 1.6e38f;  // above 2^127 stb's exponent byte runs over
+
+void append(void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
 // What the shared exponent can hold: magenta for what is not finite, nothing negative.
@@ -142,10 +144,18 @@ Image decodeHdr(const unsigned char* bytes, int size, const std::string& name) {
 
 }  // namespace
 
+std::string pngBytes(const Image& image) {
+    RADLAB_CHECK(!image.empty());
+    std::string encoded;
+    stbi_write_png_to_func(append, &encoded, image.width(), image.height(), 3, rgbBytes(image).data(),
+                           3 * image.width());
+    return encoded;
+}
+
 void writeImage(const std::filesystem::path& file, const Image& image) {
     RADLAB_CHECK(!image.empty());
     requireImageFile(file);
-    writeFile(file, file.extension() == ".png" ? encodePng(image) : encodeHdr(image));
+    writeFile(file, file.extension() == ".png" ? pngBytes(image) : encodeHdr(image));
 }
 
 Image readImage(const std::filesystem::path& file) {
@@ -158,6 +168,10 @@ Image readImage(const std::filesystem::path& file) {
 }
 
 #else
+
+std::string pngBytes(const Image&) {
+    throw Error("this build has no stb, so it cannot make PNG pictures: install stb and build again");
+}
 
 void writeImage(const std::filesystem::path& file, const Image&) {
     throw Error({file.string()}, "this build has no stb, so it cannot write pictures: install stb and build again");

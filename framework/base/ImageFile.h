@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "base/Image.h"
 
@@ -19,6 +20,15 @@ void requireImageFile(const std::filesystem::path& file);
 /// The file appears whole or not at all.
 /// Errors: an unknown ending, a folder that does not exist, a full disk.
 void writeImage(const std::filesystem::path& file, const Image& image);
+
+/// The pixels as PNG keeps them: red, green and blue with 8 bits each, row by row from the top.
+std::string rgbBytes(const Image& image);
+
+/// A picture as the bytes of a PNG file.
+///
+/// @pre    it is not empty
+/// Errors: a build without stb.
+std::string pngBytes(const Image& image);
 
 /// Reads a PNG (0 to 1 a channel, as stored) or Radiance HDR (linear).
 ///

@@ -85,6 +85,16 @@ TEST_CASE("in a PNG a number that is not finite is seen: magenta") {
     CHECK(back.at(3, 0) == glm::vec3(0.0f));
 }
 
+TEST_CASE("a PNG in memory is the one of a file, and holds the bytes of its pixels") {
+    Image image(2, 1, glm::vec3(1.0f, 0.5f, -1.0f));
+    image.at(1, 0) = glm::vec3(notANumber);
+    CHECK(rgbBytes(image) == std::string("\xff\x80\x00\xff\x00\xff", 6));
+    const Folder folder;
+    writeImage(folder / "image.png", image);
+    CHECK(pngBytes(image) == readFile(folder / "image.png"));
+    CHECK_THROWS_AS(pngBytes(Image()), std::logic_error);
+}
+
 TEST_CASE("an HDR keeps radiances over six orders of magnitude to 1 % of their pixel's brightest channel") {
     for (const int width : {3, 7, 8, 40, 300}) {  // below 8 pixels lines are stored otherwise
         CAPTURE(width);

@@ -21,6 +21,9 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
+    /// Takes steps out of the total that turned out to cost nothing: rate and time left are those of the others.
+    void skip(double steps) { total -= steps; }
+
     /// Shows that done of total steps are done, with a word on the state of things if given.
     void show(double done, const std::string& note = "");
 

@@ -71,6 +71,14 @@ TEST_CASE("more than all is all, and nothing to do is done") {
     CHECK(second.str().find("[########################] 100 %") != std::string::npos);
 }
 
+TEST_CASE("steps that cost nothing are left out of all") {
+    std::ostringstream out;
+    ProgressBar bar("work", 100, "", out, true);
+    bar.skip(80);
+    bar.show(5);
+    CHECK(out.str().find("] 25 %") != std::string::npos);
+}
+
 TEST_CASE("a bar that is not visible is silent to its end") {
     std::ostringstream out;
     {

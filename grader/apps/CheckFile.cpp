@@ -16,11 +16,8 @@ FileChecker::FileChecker(std::filesystem::path file, std::uint64_t chosenSeed, u
       rules(readManifest(manifestFile())) {}
 
 Result FileChecker::judge(const std::vector<std::string>& stages) const {
-    const TemporaryFolder folder;
-    const std::filesystem::path library = folder.path() / "submission.so";
     ProgressBar bar("checking", 1.0);
     bar.show(0.0, "compiling " + source.filename().string());
-    compileSubmission(source, library, toolchain, rules);
     JudgeOptions options;
     options.seed = seed;
     options.jobs = jobs;
@@ -28,7 +25,7 @@ Result FileChecker::judge(const std::vector<std::string>& stages) const {
     options.report = [&](std::size_t done, std::size_t total, const std::string& now) {
         bar.show(static_cast<double>(done) / static_cast<double>(total), now);
     };
-    Result result = Judge(rules, toolchain, options).judge(library);
+    Result result = Judge(rules, toolchain, options).judgeFile(source);
     result.submission = std::filesystem::proximate(source).string();
     return result;
 }

@@ -62,7 +62,7 @@ std::string quotedForShell(const std::string& word) {
 // A run of the engine: what has not come yet, and the job that brings it.
 class Array {
 public:
-    Array(const SlurmRules& how, const Conference& others) : rules(how), with(others), folder(how.folder) {}
+    Array(const SlurmRules& how, const EngineCallbacks& others) : rules(how), with(others), folder(how.folder) {}
 
     void run() {
         cancel(folder.submitted());
@@ -160,7 +160,7 @@ private:
     }
 
     const SlurmRules& rules;
-    const Conference& with;
+    const EngineCallbacks& with;
     SlurmFolder folder;
     std::set<std::string> missing;
     std::string number;
@@ -168,14 +168,14 @@ private:
 
 }  // namespace
 
-void SlurmEngine::grade(const Conference& with) { Array(rules, with).run(); }
+void SlurmEngine::grade(const EngineCallbacks& with) { Array(rules, with).run(); }
 
 void runSlurmTask(const fs::path& place, std::size_t task, Engine& engine) {
     const SlurmFolder folder(place);
     std::vector<std::string> hashes = folder.task(task);
     std::erase_if(hashes, [&](const std::string& hash) { return folder.hasResult(hash); });
     std::size_t next = 0;
-    Conference with;
+    EngineCallbacks with;
     with.next = [&]() -> std::optional<Job> {
         if (next == hashes.size()) return std::nullopt;
         return folder.job(hashes[next++]);

@@ -29,7 +29,7 @@ public:
     explicit SlurmEngine(SlurmRules how) : rules(std::move(how)) {}
 
     /// Errors: MachineError, where sbatch is missing or refuses.
-    void grade(const Conference& with) override;
+    void grade(const EngineCallbacks& with) override;
 
 private:
     SlurmRules rules;

@@ -241,6 +241,15 @@ Result Judge::judge(const std::filesystem::path& library) {
     return result;
 }
 
+Result Judge::judgeFile(const std::filesystem::path& source) {
+    const TemporaryFolder folder;
+    const std::filesystem::path library = folder.path() / "submission.so";
+    const std::string said = compileSubmission(source, library, toolchain, manifest);
+    Result result = judge(library);
+    result.compiler = said;
+    return result;
+}
+
 Result Judge::notCompiled(const std::string& compilerSaid) const {
     Result result;
     result.stages = cases->blocked("judged as soon as it compiles");

@@ -36,6 +36,11 @@ public:
     /// @return result.submission is left for the caller to set
     Result judge(const std::filesystem::path& library);
 
+    /// Compiles a file and judges it.
+    ///
+    /// Errors: CompileError; those of compileSubmission.
+    Result judgeFile(const std::filesystem::path& source);
+
     /// The verdict on one that does not compile: no marks, and no stage judged.
     Result notCompiled(const std::string& compilerSaid) const;
 

@@ -1,0 +1,69 @@
+#include "grader/apps/Grading.h"
+
+#include <algorithm>
+
+#include "base/WholeFile.h"
+#include "grader/sandbox/Process.h"
+#include "grader/stages/Pictures.h"
+
+namespace radlab::grader {
+
+namespace {
+
+constexpr const char* solution = RADLAB_SOURCE_DIR "/solutions/ProgRef.cpp";
+
+JudgeOptions oneAfterTheOther(std::uint64_t seed) {
+    JudgeOptions options;
+    options.seed = seed;
+    options.jobs = 1;
+    return options;
+}
+
+std::string firstProblem(const Result& result) {
+    if (!result.compiled) return result.compiler;
+    for (const StageResult& stage : result.stages)
+        for (const CheckResult& check : stage.checks)
+            if (check.status != Status::pass) return stage.stage + ", " + check.name + ": " + check.message;
+    return "";
+}
+
+}  // namespace
+
+Grading::Grading(std::uint64_t seed, std::string file)
+    : toolchain(readToolchain(RADLAB_TOOLCHAIN)),
+      manifest(readManifest(manifestFile())),
+      main(std::move(file)),
+      judge(manifest, toolchain, oneAfterTheOther(seed)) {
+    encodeReferences(manifest, pictures);
+}
+
+void Grading::rehearse() {
+    if (!std::filesystem::exists(solution)) return;
+    const std::string problem = firstProblem(gradeFiles({{main, readFile(solution)}}, main, judge, pictures).result);
+    if (!problem.empty())
+        throw MachineError("the solution itself loses marks on this machine, so nobody is graded: " + problem);
+}
+
+void Rehearsed::grade(const EngineCallbacks& with) {
+    EngineCallbacks rehearsed = with;
+    bool first = true;
+    rehearsed.next = [&] {
+        std::optional<Job> job = with.next();
+        if (job && first) grading.rehearse();
+        first = false;
+        return job;
+    };
+    engine.grade(rehearsed);
+}
+
+std::vector<std::filesystem::path> filesOfGrader(const Toolchain& toolchain) {
+    std::vector<std::filesystem::path> files, pictures;
+    for (const auto& entry : std::filesystem::directory_iterator(referenceFolder()))
+        if (entry.path().extension() == ".png") pictures.push_back(entry.path());
+    std::sort(pictures.begin(), pictures.end());
+    files = {"/proc/self/exe", toolchain.worker, RADLAB_TOOLCHAIN, manifestFile()};
+    files.insert(files.end(), pictures.begin(), pictures.end());
+    return files;
+}
+
+}  // namespace radlab::grader

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/batch/LocalEngine.h"
+#include "grader/judge/GradeFiles.h"
+
+namespace radlab::grader {
+
+/// Grades submissions on this machine, one check after the other in each.
+class Grading {
+public:
+    /// @param file  the one to compile, of those that are handed in
+    Grading(std::uint64_t seed, std::string file);
+
+    const Toolchain& tools() const { return toolchain; }
+
+    Graded grade(const Job& job) { return gradeFiles(job.files, main, judge, pictures); }
+
+    /// Makes sure that grading is fair here, and does once what all submissions need: the solution gets all marks.
+    ///
+    /// Errors: MachineError, where it does not.
+    /// @cost two seconds; nothing where there is no solution, as in the package that students get
+    void rehearse();
+
+private:
+    Toolchain toolchain;
+    Manifest manifest;
+    std::string main;
+    Judge judge;
+    PngCache pictures;
+};
+
+/// An engine that rehearses before its first job.
+class Rehearsed : public Engine {
+public:
+    Rehearsed(Grading& with, Engine& then) : grading(with), engine(then) {}
+
+    void grade(const EngineCallbacks& with) override;
+
+private:
+    Grading& grading;
+    Engine& engine;
+};
+
+/// All that decides on a mark: the judge, the worker, how submissions are compiled, marks, and reference pictures.
+std::vector<std::filesystem::path> filesOfGrader(const Toolchain& toolchain);
+
+}  // namespace radlab::grader
