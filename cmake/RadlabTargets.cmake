@@ -63,7 +63,7 @@ function(radlab_tests name folder)
   endif()
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE radlab_test_main ${ARGN})
-  doctest_discover_tests(${name} TEST_PREFIX "${name}: ")
+  doctest_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: ")
 endfunction()
 
 # The program <source>.cpp.

@@ -12,7 +12,7 @@ namespace radlab::grader {
 /// The page needs no script and nothing from elsewhere. What comes from the submission stands on it as plain text.
 ///
 /// @return the page, index.html
-/// Errors: a folder that cannot be written; a build without kainjow-mustache, or pictures in a build without stb.
+/// Errors: a folder that cannot be written; pictures in a build without stb.
 std::filesystem::path writeHtmlReport(const Result& result, const std::filesystem::path& folder);
 
 }  // namespace radlab::grader

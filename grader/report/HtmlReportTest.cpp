@@ -7,9 +7,8 @@
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
 #include "grader/protocol/PlainText.h"
+#include "grader/report/PageTestHelp.h"
 #include "grader/report/SampleResult.h"
-
-#if __has_include(<kainjow/mustache.hpp>)
 
 using namespace radlab::grader;
 using namespace radlab::grader::test;
@@ -21,14 +20,6 @@ namespace {
 std::string pageOf(const Result& result) {
     const Folder folder;
     return radlab::readFile(writeHtmlReport(result, folder / "report"));
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::size_t countOf(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
 }
 
 Picture picture() { return {"a room", Image(4, 3), Image(4, 3, glm::vec3(1)), Image(4, 3), 0.03125, 0.01}; }
@@ -156,5 +147,3 @@ TEST_CASE("page: a folder that cannot be made is an error that names it") {
     radlab::writeFile(folder / "file", "x");
     CHECK_THROWS_AS(writeHtmlReport(oneWrong(), folder / "file"), radlab::Error);
 }
-
-#endif

@@ -29,6 +29,14 @@ struct Counts {
         else if (check.status != Status::pass)
             ++skipped;
     }
+
+    void add(const Counts& more) {
+        tests += more.tests;
+        failures += more.failures;
+        errors += more.errors;
+        skipped += more.skipped;
+        seconds += more.seconds;
+    }
 };
 
 // Checks that stand for their stage where it has none, so that its status is not lost.
@@ -42,10 +50,46 @@ std::vector<CheckResult> checksOf(const StageResult& stage) {
     return {whole};
 }
 
-Counts countsOf(const StageResult& stage) {
+Counts countsOf(const std::vector<StageResult>& stages) {
     Counts counts;
-    for (const CheckResult& check : checksOf(stage)) counts.add(check);
+    for (const StageResult& stage : stages)
+        for (const CheckResult& check : checksOf(stage)) counts.add(check);
     return counts;
+}
+
+// Where checks come from, and how much of them is told.
+struct Source {
+    std::string file, classes = "radlab.";
+    bool output = true;  // what the submission printed, too
+};
+
+// What stands for a submission of which no stage could be judged.
+StageResult insteadOfStages(Status status, const std::string& claim, const std::string& why) {
+    CheckResult check;
+    check.name = claim;
+    check.status = status;
+    check.message = why;
+    StageResult stage;
+    stage.stage = "submission";
+    stage.status = status;
+    stage.checks = {check};
+    return stage;
+}
+
+std::vector<StageResult> stagesOf(const Result& result) {
+    if (result.compiled) return result.stages;
+    return {insteadOfStages(Status::fail, "the submission compiles", result.compiler)};
+}
+
+std::vector<StageResult> stagesOf(const StudentResult& student) {
+    const std::string remarks = listText(student.student.remarks, "\n");
+    switch (student.outcome) {
+        case Outcome::nothing: return {insteadOfStages(Status::skipped, "something is handed in", "nothing handed in")};
+        case Outcome::refused: return {insteadOfStages(Status::fail, "what is handed in can be taken", remarks)};
+        case Outcome::error: return {insteadOfStages(Status::error, "the grader works", student.fault)};
+        case Outcome::graded: break;
+    }
+    return stagesOf(student.result);
 }
 
 // tinyxml2 escapes, and takes the bytes of a text as they are.
@@ -115,14 +159,14 @@ void writeOutcome(Writer& out, const CheckResult& check) {
     out.close();
 }
 
-void writeCheck(Writer& out, const Result& result, const StageResult& stage, const CheckResult& check) {
+void writeCheck(Writer& out, const Source& source, const StageResult& stage, const CheckResult& check) {
     out.open("testcase");
     out.attribute("name", check.name.empty() ? check.id : check.name);
-    out.attribute("classname", "radlab." + stage.stage);
+    out.attribute("classname", source.classes + stage.stage);
     out.seconds(check.seconds);
-    out.attribute("file", result.submission);
+    if (!source.file.empty()) out.attribute("file", source.file);
     writeOutcome(out, check);
-    if (!check.output.empty()) {
+    if (source.output && !check.output.empty()) {
         out.open("system-out");
         out.text(check.output);
         out.close();
@@ -131,31 +175,60 @@ void writeCheck(Writer& out, const Result& result, const StageResult& stage, con
 }
 
 void writeStage(Writer& out, const Result& result, const StageResult& stage) {
+    const Source source{result.submission};
     out.open("testsuite");
     out.attribute("name", stage.stage);
-    out.counts(countsOf(stage));
+    out.counts(countsOf({stage}));
     out.attribute("file", result.submission);
     writeProperties(out, result, stage);
-    for (const CheckResult& check : checksOf(stage)) writeCheck(out, result, stage, check);
+    for (const CheckResult& check : checksOf(stage)) writeCheck(out, source, stage, check);
     out.close();
 }
 
-Counts countsOf(const Result& result) {
-    Counts all;
-    for (const StageResult& stage : result.stages)
-        for (const CheckResult& check : checksOf(stage)) all.add(check);
-    all.seconds = result.seconds;
-    return all;
+void writeStudent(Writer& out, const StudentResult& student, const std::vector<StageResult>& stages) {
+    const Source source{"", student.student.id + ".", false};
+    out.open("testsuite");
+    out.attribute("name", student.student.id);
+    out.counts(countsOf(stages));
+    if (!student.graded.empty()) out.attribute("timestamp", student.graded);
+    out.open("properties");
+    out.property("student", student.student.name);
+    out.property("outcome", outcomeWord(student));
+    if (hasMark(student)) {
+        out.property("score", marksText(student.result.score));
+        out.property("max_score", marksText(student.result.maxScore));
+        out.property("seed", std::to_string(student.result.seed));
+    }
+    if (student.student.late) out.property("late", "true");
+    out.close();
+    for (const StageResult& stage : stages)
+        for (const CheckResult& check : checksOf(stage)) writeCheck(out, source, stage, check);
+    out.close();
 }
 
 }  // namespace
 
 std::string junitXml(const Result& result) {
+    const std::vector<StageResult> stages = stagesOf(result);
+    Counts all = countsOf(stages);
+    all.seconds = result.seconds;
     Writer out;
     out.open("testsuites");
     out.attribute("name", "radlab");
-    out.counts(countsOf(result));
-    for (const StageResult& stage : result.stages) writeStage(out, result, stage);
+    out.counts(all);
+    for (const StageResult& stage : stages) writeStage(out, result, stage);
+    out.close();
+    return out.result();
+}
+
+std::string classJunitXml(const std::vector<StudentResult>& results) {
+    Counts all;
+    for (const StudentResult& student : results) all.add(countsOf(stagesOf(student)));
+    Writer out;
+    out.open("testsuites");
+    out.attribute("name", "radlab");
+    out.counts(all);
+    for (const StudentResult& student : results) writeStudent(out, student, stagesOf(student));
     out.close();
     return out.result();
 }

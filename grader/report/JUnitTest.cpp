@@ -4,7 +4,7 @@
 #include <tinyxml2.h>
 
 #include "grader/protocol/PlainText.h"
-#include "grader/report/SampleResult.h"
+#include "grader/report/SampleClass.h"
 
 using namespace radlab::grader;
 using namespace radlab::grader::test;
@@ -14,9 +14,8 @@ namespace {
 
 // The parsed file, and the elements that the tests ask for.
 struct Parsed {
-    explicit Parsed(const Result& result) {
-        REQUIRE(document.Parse(junitXml(result).c_str()) == tinyxml2::XML_SUCCESS);
-    }
+    explicit Parsed(const Result& result) : Parsed(junitXml(result)) {}
+    explicit Parsed(const std::string& xml) { REQUIRE(document.Parse(xml.c_str()) == tinyxml2::XML_SUCCESS); }
 
     const XMLElement* root() const { return document.RootElement(); }
     const XMLElement* suite(int index) const { return nth(root(), "testsuite", index); }
@@ -103,4 +102,41 @@ TEST_CASE("JUnit: very long texts are cut") {
     CHECK(junitXml(result).size() < 5 << 20);
     Parsed file(result);
     CHECK(attribute(file.testcase(1, 1), "name").size() == 1024);
+}
+
+TEST_CASE("JUnit: a submission that does not compile is one failure with what the compiler said") {
+    const Parsed file(notCompiled());
+    CHECK(attribute(file.root(), "failures") == "1");
+    CHECK(attribute(file.testcase(0, 0), "name") == "the submission compiles");
+    CHECK(std::string(file.testcase(0, 0)->FirstChildElement("failure")->GetText()).find("shooterr") !=
+          std::string::npos);
+}
+
+TEST_CASE("JUnit of a class: a suite for each student, a test case for each check, with the counts of both") {
+    const Parsed file(classJunitXml(smallClass()));
+    CHECK(attribute(file.root(), "tests") == "22");
+    CHECK(attribute(file.root(), "failures") == "5");
+    CHECK(attribute(file.root(), "errors") == "1");
+    CHECK(attribute(file.root(), "skipped") == "3");
+    CHECK(attribute(file.suite(1), "name") == "student-02");
+    CHECK(attribute(file.suite(1), "tests") == "11");
+    CHECK(attribute(file.suite(1), "timestamp") == "2026-11-23T09:12:00Z");
+    CHECK(attribute(file.testcase(1, 2), "classname") == "student-02.calcAnalyticalFF");
+    CHECK_FALSE(file.testcase(1, 2)->FirstChildElement("system-out"));
+}
+
+TEST_CASE("JUnit of a class: where nothing was judged, one test case says why") {
+    const Parsed file(classJunitXml(smallClass()));
+    CHECK(attribute(file.testcase(2, 0)->FirstChildElement("skipped"), "message") == "nothing handed in");
+    CHECK(attribute(file.testcase(3, 0)->FirstChildElement("failure"), "message").find("leads out of the folder") !=
+          std::string::npos);
+    CHECK(attribute(file.testcase(4, 0)->FirstChildElement("error"), "message") == "the worker did not start");
+    CHECK(attribute(file.testcase(5, 0), "name") == "the submission compiles");
+}
+
+TEST_CASE("JUnit of a class: hostile names and a thousand students leave the file well-formed") {
+    const std::string hostile = classJunitXml(classSaying(hostileText()));
+    CHECK(xmlText(hostile) == hostile);
+    CHECK(attribute(Parsed(hostile).root(), "tests") == "22");
+    CHECK(attribute(Parsed(classJunitXml(largeClass(1000))).root(), "errors") == "166");
 }

@@ -73,9 +73,13 @@ std::string statusWord(Status status) {
     return "not judged";
 }
 
-bool isTogether(const StageResult& stage) { return stage.stage == "together"; }
+bool isTogether(const StageResult& stage) { return isTogether(stage.stage); }
 
-std::string stageName(const StageResult& stage) { return isTogether(stage) ? "all together" : oneLine(stage.stage); }
+bool isTogether(const std::string& stage) { return stage == "together"; }
+
+std::string stageName(const StageResult& stage) { return stageName(stage.stage); }
+
+std::string stageName(const std::string& stage) { return isTogether(stage) ? "all together" : oneLine(stage); }
 
 bool hasError(const StageResult& stage) {
     return stage.status == Status::error || firstCheck(stage, Status::error) != nullptr;
@@ -105,6 +109,21 @@ bool allRight(const Result& result) {
     return functions >= functionCount;
 }
 
+std::string verdictText(const Result& result) {
+    if (hasError(result)) return "The grader or the machine failed. It takes no marks for that.";
+    if (!result.compiled) return "It does not compile.";
+    if (nothingStarted(result)) return "Nothing is written yet, so nothing is wrong.";
+    if (allRight(result)) return "All functions are right.";
+    std::size_t functions = 0, right = 0;
+    for (const StageResult& stage : result.stages) {
+        if (isTogether(stage) || stage.status == Status::skipped) continue;
+        ++functions;
+        if (stage.status == Status::pass) ++right;
+    }
+    return std::to_string(right) + " of " + std::to_string(functions) +
+           (functions == 1 ? " function is right." : " functions are right.");
+}
+
 const CheckResult* firstCheck(const StageResult& stage, Status status) {
     for (const CheckResult& check : stage.checks)
         if (check.status == status) return &check;
@@ -118,6 +137,7 @@ std::string hintOf(const CheckResult& check) {
 std::vector<std::string> nextStep(const Result& result, bool hintsShown) {
     if (hasError(result))
         return {std::string("run ") + checkCommand + " again; if it fails again, send this report to your instructor"};
+    if (!result.compiled) return {std::string("correct the compiler's first error, then ") + checkCommand};
     if (const StageResult* stage = firstStage(result, Status::fail)) return mend(result, *stage, hintsShown);
     if (const StageResult* stage = firstStage(result, Status::notStarted)) return write(result, *stage);
     if (allRight(result))
@@ -125,6 +145,33 @@ std::vector<std::string> nextStep(const Result& result, bool hintsShown) {
     if (firstStage(result, Status::blocked))
         return {std::string(checkCommand) + " judges all six functions, and says which one comes first"};
     return {std::string(checkCommand) + " judges all six functions"};
+}
+
+bool hasMark(const StudentResult& student) { return student.outcome == Outcome::graded && !hasError(student.result); }
+
+std::string outcomeWord(const StudentResult& student) {
+    switch (student.outcome) {
+        case Outcome::nothing: return "nothing handed in";
+        case Outcome::refused: return "refused";
+        case Outcome::error: return "grader failed";
+        case Outcome::graded: break;
+    }
+    if (hasError(student.result)) return "grader failed";
+    return student.result.compiled ? "graded" : "does not compile";
+}
+
+std::string shownName(const Student& student) { return oneLine(student.name.empty() ? student.id : student.name); }
+
+std::string listText(const std::vector<std::string>& texts, const std::string& between) {
+    std::string list;
+    for (const std::string& text : texts) list += (&text == &texts.front() ? "" : between) + oneLine(text);
+    return list;
+}
+
+std::string timeText(const std::string& time) {
+    const bool iso = time.size() == 20 && time[10] == 'T' && time[19] == 'Z' &&
+                     time.find_first_not_of("0123456789-:TZ") == std::string::npos;
+    return iso ? time.substr(0, 10) + " " + time.substr(11, 5) + " UTC" : oneLine(time);
 }
 
 }  // namespace radlab::grader

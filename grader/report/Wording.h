@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "grader/protocol/Result.h"
+#include "grader/protocol/Student.h"
 
 namespace radlab::grader {
 
@@ -17,9 +18,11 @@ std::string statusWord(Status status);
 
 /// Whether a stage is that of all functions together, which has no function to edit and no marks.
 bool isTogether(const StageResult& stage);
+bool isTogether(const std::string& stage);
 
 /// "calcFF", or "all together"; on one line, and safe to show.
 std::string stageName(const StageResult& stage);
+std::string stageName(const std::string& stage);
 
 /// Whether the grader or the machine failed anywhere: in a stage, or in one of its checks.
 bool hasError(const StageResult& stage);
@@ -34,6 +37,9 @@ bool nothingStarted(const Result& result);
 /// Whether all six functions were judged and are right, and all of them together.
 bool allRight(const Result& result);
 
+/// What became of it as a whole, in one sentence.
+std::string verdictText(const Result& result);
+
 /// The first check of a stage with a status, or nullptr.
 const CheckResult* firstCheck(const StageResult& stage, Status status);
 
@@ -44,5 +50,20 @@ std::string hintOf(const CheckResult& check);
 ///
 /// hintsShown tells whether the hints stand above it already.
 std::vector<std::string> nextStep(const Result& result, bool hintsShown);
+
+/// Whether there is a mark, which there is not where the grader failed anywhere.
+bool hasMark(const StudentResult& student);
+
+/// "graded", "does not compile", "nothing handed in", "refused" or "grader failed".
+std::string outcomeWord(const StudentResult& student);
+
+/// What a student is called: the name, or else the id; on one line, and safe to show.
+std::string shownName(const Student& student);
+
+/// Texts in a row, each on one line and safe to show: "seccomp, limits".
+std::string listText(const std::vector<std::string>& texts, const std::string& between = ", ");
+
+/// "2026-11-23 08:15 UTC" of a time in ISO 8601; another text as it is, on one line, and safe to show.
+std::string timeText(const std::string& time);
 
 }  // namespace radlab::grader
