@@ -102,9 +102,12 @@ private:
         std::string script;
         for (const std::string& word : rules.task) script += quotedForShell(word) + " ";
         script = "exec " + script + quotedForShell(folder.path().string()) + " \"$SLURM_ARRAY_TASK_ID\"";
-        std::vector<std::string> arguments = {
-            "--parsable", "--job-name=radlab", "--array=0-" + std::to_string(tasks - 1),
-            "--output=" + (folder.logs() / "%a.txt").string(), "--chdir=" + folder.path().string()};
+        std::vector<std::string> arguments = {"--parsable",
+                                              "--propagate=NONE",
+                                              "--job-name=radlab",
+                                              "--array=0-" + std::to_string(tasks - 1),
+                                              "--output=" + (folder.logs() / "%a.txt").string(),
+                                              "--chdir=" + folder.path().string()};
         arguments.insert(arguments.end(), rules.options.begin(), rules.options.end());
         arguments.insert(arguments.end(), {"--wrap", script});
         const Ended ended = ask("sbatch", arguments);
