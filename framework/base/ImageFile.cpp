@@ -47,12 +47,11 @@ void requireImageFile(const std::filesystem::path& file) {
 }
 
 std::string rgbBytes(const Image& image) {
-    std::string bytes;
-    bytes.reserve(image.data().size() * 3);
+    std::string bytes(image.data().size() * 3, '\0');
+    std::size_t next = 0;
     for (const glm::vec3& pixel : image.data()) {
-        const glm::vec3 shown = finite(pixel) ? pixel : magenta;
-        for (int c = 0; c < 3; ++c)
-            bytes.push_back(static_cast<char>(std::lround(std::fmin(std::fmax(shown[c], 0.0f), 1.0f) * 255.0f)));
+        const glm::vec3 shown = glm::clamp(finite(pixel) ? pixel : magenta, 0.0f, 1.0f) * 255.0f + 0.5f;
+        for (int c = 0; c < 3; ++c) bytes[next++] = static_cast<char>(static_cast<int>(shown[c]));
     }
     return bytes;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/CommandLine.h"
+#include "base/Heap.h"
 #include "base/WholeFile.h"
 #include "grader/apps/CheckFile.h"
 #include "grader/apps/CompileReport.h"
@@ -89,6 +90,7 @@ int check(const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    radlab::keepFreedMemory();
     CLI::App app("Says which stages of the exercise are right, and what is wrong with the others.");
     Flags flags;
     describe(app, flags);

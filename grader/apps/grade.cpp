@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "apps/CommandLine.h"
+#include "base/Heap.h"
 #include "grader/apps/GradeReports.h"
 #include "grader/apps/GradeSummary.h"
 #include "grader/apps/Grading.h"
@@ -186,6 +187,7 @@ int grade(const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    radlab::keepFreedMemory();
     CLI::App app("Marks the submissions of a class.");
     Flags flags;
     describe(app, flags);

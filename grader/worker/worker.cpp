@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/Error.h"
+#include "base/Heap.h"
 #include "grader/sandbox/ServeForks.h"
 #include "grader/worker/Steps.h"
 #include "grader/worker/WarmOpenGl.h"
@@ -82,6 +83,7 @@ void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, c
 
 int main(int count, char** arguments) {
     if (count != 2) return 2;
+    radlab::keepFreedMemory();
     std::unique_ptr<radlab::GlContext> openGl = warmOpenGl();
     serveForks([&] { work(arguments[1], std::move(openGl)); });
     return 0;
