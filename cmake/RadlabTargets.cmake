@@ -79,7 +79,7 @@ endfunction()
 # Claims about a program, each a case of the shell script cmake/checks/<script>.
 find_program(RADLAB_SH sh)
 function(radlab_program_tests program script)
-  if(NOT TARGET ${program} OR NOT RADLAB_SH OR NOT UNIX)
+  if(NOT TARGET ${program} OR NOT RADLAB_SH OR NOT UNIX OR NOT EXISTS ${PROJECT_SOURCE_DIR}/cmake/checks/${script})
     return()
   endif()
   foreach(claim IN LISTS ARGN)

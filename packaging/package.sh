@@ -2,76 +2,103 @@
 # Packs radlab for others: package.sh student|gradescope [FILE]
 set -eu
 
-root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P)
-kind=${1-}
-
-say() { printf 'radlab: %s\n' "$*" >&2; }
-fail() { say "$@"; exit 2; }
-
 usage() {
     cat <<'END'
-usage: ./radlab package student [FILE]      what students get: framework, exercises, resources, the grader, no solutions
-       ./radlab package gradescope [FILE]   the autograder.zip to upload to Gradescope
+usage: ./radlab package student [FILE]     what students get, without the solutions: out/radlab-student.zip
+       ./radlab package gradescope [FILE]  the autograder to upload to Gradescope: out/autograder.zip
+
+What is packed is what git has in its index, as it stands in the working tree; without git, the folders of the project.
 END
 }
+say() { printf 'radlab: %s\n' "$*" >&2; }
+fail() { say "package: $*"; exit 2; }
 
-case $kind in
-    student | gradescope) ;;
-    --help | -h) usage; exit 0 ;;
-    '') usage >&2; exit 2 ;;
-    *) fail "package: found '$kind', expected student or gradescope" ;;
-esac
-[ $# -le 2 ] || fail "package $kind: found '$3', expected one file to write"
+kind=${1-}
 case $kind in
     student) file=${2-out/radlab-student.zip} ;;
     gradescope) file=${2-out/autograder.zip} ;;
+    --help | -h) usage; exit ;;
+    *) fail "found '$kind', expected student or gradescope" ;;
 esac
+[ $# -le 2 ] || fail "found '$3', expected one file to write"
 case $file in *.zip) ;; *) fail "$file: expected a name that ends in .zip" ;; esac
-mkdir -p "$(dirname "$file")" || exit 2
-file=$(CDPATH='' cd -- "$(dirname "$file")" && pwd -P)/$(basename "$file")
+[ ! -d "$file" ] || fail "$file is a folder"
 
+root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P)
+mkdir -p -- "$(dirname -- "$file")" || exit 2
+file=$(CDPATH='' cd -- "$(dirname -- "$file")" && pwd -P)/$(basename -- "$file")
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+part=$(mktemp "$file.XXXXXX") || { rm -rf "$work"; exit 2; }
+trap 'rm -rf "$work" "$part"' EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
 
-# The files of the project: those that git knows or does not ignore, else all but what is built.
+# What a package may hold; of exercises the students' file alone, since others beside it may be somebody's solution.
+packed='^(framework|grader/(protocol|sandbox|stages|judge|report|worker|apps)|resources|handout|cmake|\.vscode)/
+^grader/CMakeLists\.txt$
+^exercises/ProgRef\.cpp$
+^(radlab|LICENSE|CMakeLists\.txt|CMakePresets\.json|vcpkg\.json|\.gitignore|\.editorconfig|\.clang-format)$'
+# Of that, what quotes solutions, needs them, or tests radlab itself; then what .gitignore names, for trees without git.
+left_out='(Test|Fuzz)\.cpp$
+^framework/(SolutionTests\.cmake$|apps/(bench|study|SolverBench|EngineBench))
+^grader/apps/(grade|Grade|Grading|TryAttacks|unpack|references|bench-grade|CheckBench)
+^resources/(broken|fuzz|study|classroom)/
+^cmake/checks/
+(^|/)(build|out|\.cache|__pycache__|cmake-build-[^/]*|\.vs|\.idea)/
+(~|\.DS_Store|compile_commands\.json|CMakeUserPresets\.json|\.orig|\.rej|\.swp)$'
+
+# The files of the project, of those the ones that may be packed; for git, what else would be.
+unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+known() { git -C "$root" ls-files "$@"; }
+found() { (cd "$root" && find . \( -path ./build -o -path ./out -o -path ./.git \) -prune -o -type f -print | cut -c3-); }
+chosen() { grep -E "$packed" | grep -Ev "$left_out" || true; }
 files() {
-    cd "$root"
-    git ls-files --cached --others --exclude-standard 2>/dev/null || find . -type f -not -path './build/*' -not -path './out/*' | cut -c3-
+    if [ ! -e "$root/.git" ] || ! known >"$work/known" 2>/dev/null; then
+        found | chosen
+        return
+    fi
+    chosen <"$work/known"
+    known --others --exclude-standard | chosen | while IFS= read -r name; do say "left out, since git does not know it: $name"; done
 }
 
-# Solutions, and whatever quotes them; tests, which need them; the grading of classes.
-not_for_students='^(solutions|packaging|grader/(mutants|attacks|batch|intake)|resources/classroom|\.ci|\.github)/|^grader/.*Test\.cpp$|^solutions|^grader/apps/(grade|Grade|unpack|references|bench-grader|CheckBench|Example|Mutants)|^cmake/checks/|^(BENCHMARKS|CHANGELOG|HACKING)\.md$'
-
+# What students may have, in the folder named; links are left out, wherever they lead. Rights are the same whoever
+# packs; times are new, so that what is unpacked over an older package is built again.
 copy() {
-    while IFS= read -r name; do
-        [ -f "$root/$name" ] || continue
-        mkdir -p "$1/$(dirname "$name")"
-        cp -p "$root/$name" "$1/$name"
-    done
+    mkdir -p "$1"
+    { files; echo cmake/checks/layers.txt; } | while IFS= read -r name; do
+        [ ! -f "$root/$name" ] || [ -h "$root/$name" ] || printf '%s\n' "$name"
+    done >"$work/names"
+    tar -C "$root" -cf "$work/files.tar" -T "$work/names"
+    tar -C "$1" -xmf "$work/files.tar"
+    cp "$root/packaging/README-student.md" "$1/README.md"
+    find "$1" -type f -exec chmod u=rwX,go=rX {} +
+    chmod 755 "$1/radlab"
 }
 
-# Whole or not at all; what is to be started keeps that right.
-zip_to() {
-    (cd "$work" && cmake -E tar cf "$file.part" --format=zip "$@")
-    mv "$file.part" "$file"
-    say "wrote $file, $(du -k "$file" | cut -f1) KiB"
+# Whole or not at all.
+zip_all() {
+    cd "$work/zip"
+    find . -type f | cut -c3- | LC_ALL=C sort >"$work/names"
+    cmake -E tar cf "$part" --format=zip --files-from="$work/names"
+    chmod 644 "$part"
+    mv "$part" "$file"
+    say "wrote $file ($(du -k "$file" | cut -f1) KiB)"
 }
 
+[ "$(grep -c 'throw NotImplemented("' "$root/exercises/ProgRef.cpp")" = 6 ] ||
+    fail "exercises/ProgRef.cpp: found functions that are written, expected the six stubs that students begin with"
+command -v cmake >/dev/null || fail "CMake is needed; ./radlab check installs it"
 case $kind in
     student)
-        files | grep -Ev "$not_for_students" | copy "$work/radlab"
-        for check in layers.txt CMakeLists.txt; do
-            mkdir -p "$work/radlab/cmake/checks"
-        done
-        cp "$root/cmake/checks/layers.txt" "$work/radlab/cmake/checks/"
-        mkdir -p "$work/radlab/.github/workflows"
-        cp "$root/packaging/classroom.yml" "$work/radlab/.github/workflows/classroom.yml"
-        zip_to radlab
-        say "next: unpack it in an empty folder and run ./radlab check" ;;
+        copy "$work/zip/radlab"
+        mkdir -p "$work/zip/radlab/.github/workflows"
+        cp "$root/packaging/classroom.yml" "$work/zip/radlab/.github/workflows/check.yml"
+        zip_all
+        say "next: unpack it in an empty folder and run ./radlab check there" ;;
     gradescope)
-        files | grep -Ev '^(\.ci|\.github)/' | copy "$work/radlab"
-        cp "$root/packaging/setup.sh" "$root/packaging/run_autograder" "$work/"
-        chmod +x "$work/setup.sh" "$work/run_autograder"
-        zip_to setup.sh run_autograder radlab
-        say "next: upload it as the assignment's autograder, with the base image Debian 12 or Ubuntu 22.04 or newer" ;;
+        copy "$work/zip/radlab"
+        cp "$root/packaging/setup.sh" "$root/packaging/run_autograder" "$work/zip/"
+        chmod 755 "$work/zip/setup.sh" "$work/zip/run_autograder"
+        zip_all
+        say "next: upload it as the assignment's autograder, on an image with CMake 3.25 and GCC 12 or newer (Ubuntu 24.04, Debian 12)" ;;
 esac

@@ -28,7 +28,7 @@ case $claim in
         says out 'wrong.cpp:3:9: error: '
         run --file absent.cpp
         exits 2
-        says err 'absent.cpp'
+        says err 'absent.cpp: found no such file'
         run 9
         exits 2
         says err 'expected one of 1 maxenergy_patch'
@@ -50,6 +50,28 @@ case $claim in
         exits 0
         run 2 --file mine.cpp --json absent/verdict.json
         exits 2 ;;
+    "every verdict is written, also on a file that does not compile, and Gradescope's where there is none")
+        printf '#include "ProgRef.h"\n\nint a = b;\n' >wrong.cpp
+        run --file wrong.cpp --json verdict.json --junit verdict.xml --gradescope results.json --html --out page
+        exits 2
+        says out 'wrong.cpp:3:9: error: '
+        says verdict.json '"compiled": false'
+        says verdict.xml 'wrong.cpp:3:9: error: '
+        says results.json 'wrong.cpp:3:9: error: '
+        says results.json '"score": 0'
+        says page/index.html 'wrong.cpp:3:9: error: '
+        printf ' \n' >empty.cpp
+        for file in empty.cpp absent.cpp .; do
+            rm results.json
+            run --file "$file" --gradescope results.json --json nothing.json
+            exits 2
+            says err "$file: found no such file or an empty one"
+            says results.json 'There was no file to grade, or an empty one.'
+            [ ! -e nothing.json ] || wrong "a verdict on nothing"
+        done
+        run 1 --file "$project/solutions/ProgRef.cpp" --gradescope results.json
+        exits 0
+        says results.json '"status": "passed"' ;;
     "watch judges on every save, and keeps the last verdict on a compile error")
         cp "$project/exercises/ProgRef.cpp" mine.cpp
         "$program" --watch --file mine.cpp >log 2>&1 &

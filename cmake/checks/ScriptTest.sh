@@ -12,7 +12,8 @@ trap 'rm -rf "$work"' EXIT
 wrong() { echo "$claim: $*" >&2; exit 1; }
 program() { printf '#!/bin/sh\n%s\n' "$2" >"$work/tools/$1"; chmod +x "$work/tools/$1"; }
 
-mkdir -p "$work/a copy" "$work/tools"
+mkdir -p "$work/a copy/solutions" "$work/a copy/packaging" "$work/tools"
+touch "$work/a copy/solutions/ProgRef.cpp"
 cp "$project/radlab" "$project/CMakePresets.json" "$work/a copy"
 cat >"$work/a copy/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
@@ -85,5 +86,25 @@ case $claim in
         [ "$code" = 2 ] || wrong "exit code $code"
         one_line
         says err "run: sudo apt-get install --no-install-recommends g++ cmake ninja-build" ;;
+    "without the solutions, demo runs the exercise, and what needs them says so in one line")
+        rm -r "$work/a copy/solutions"
+        sed -i 's/ COMMAND .*no-such-file)/)/; s|/bin/demo|/bin/demo-exercise|' "$work/a copy/CMakeLists.txt"
+        run "$work/a copy/radlab" demo --empty one.xml
+        [ "$code" = 0 ] || wrong "$(cat "$work/err")"
+        says out '<--empty><one.xml>'
+        run "$work/a copy/radlab" help
+        ! grep -qE '^  (test|grade|study|bench|package) ' "$work/out" || wrong "$(cat "$work/out")"
+        for name in test grade study bench package; do
+            run "$work/a copy/radlab" "$name"
+            [ "$code" = 2 ] || wrong "$name: exit code $code"
+            one_line
+            says err "'$name' needs the solutions, which this package does not have"
+        done ;;
+    "a script is started as it is, without a build")
+        printf '#!/bin/sh\nprintf "<%%s>" "$@"\nexit 5\n' >"$work/a copy/packaging/package.sh"
+        chmod +x "$work/a copy/packaging/package.sh"
+        run "$work/link" package "two words" ''
+        [ "$code" = 5 ] && [ ! -e "$work/a copy/build" ] || wrong "exit code $code"
+        says out '<two words><>' ;;
     *) wrong "no such test" ;;
 esac

@@ -18,17 +18,30 @@ FileChecker::FileChecker(std::filesystem::path file, std::uint64_t chosenSeed, u
 Result FileChecker::judge(const std::vector<std::string>& stages) const {
     ProgressBar bar("checking", 1.0);
     bar.show(0.0, "compiling " + source.filename().string());
+    JudgeOptions reporting = options(stages);
+    reporting.report = [&](std::size_t done, std::size_t total, const std::string& now) {
+        bar.show(static_cast<double>(done) / static_cast<double>(total), now);
+    };
+    Result result = Judge(rules, toolchain, reporting).judgeFile(source);
+    result.submission = shownName();
+    return result;
+}
+
+Result FileChecker::notCompiled(const std::vector<std::string>& stages, const std::string& compilerSaid) const {
+    Result result = Judge(rules, toolchain, options(stages)).notCompiled(compilerSaid);
+    result.submission = shownName();
+    return result;
+}
+
+JudgeOptions FileChecker::options(const std::vector<std::string>& stages) const {
     JudgeOptions options;
     options.seed = seed;
     options.jobs = jobs;
     options.stages = stages;
-    options.report = [&](std::size_t done, std::size_t total, const std::string& now) {
-        bar.show(static_cast<double>(done) / static_cast<double>(total), now);
-    };
-    Result result = Judge(rules, toolchain, options).judgeFile(source);
-    result.submission = std::filesystem::proximate(source).string();
-    return result;
+    return options;
 }
+
+std::string FileChecker::shownName() const { return std::filesystem::proximate(source).string(); }
 
 int exitCode(const Result& result) {
     bool right = true;

@@ -19,10 +19,16 @@ public:
     /// Errors: CompileError; those of compileSubmission and Judge.
     Result judge(const std::vector<std::string>& stages) const;
 
+    /// The verdict on the file where it does not compile.
+    Result notCompiled(const std::vector<std::string>& stages, const std::string& compilerSaid) const;
+
     const Manifest& manifest() const { return rules; }
     const std::filesystem::path& file() const { return source; }
 
 private:
+    JudgeOptions options(const std::vector<std::string>& stages) const;
+    std::string shownName() const;
+
     std::filesystem::path source;
     std::uint64_t seed;
     unsigned jobs;

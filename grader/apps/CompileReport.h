@@ -5,7 +5,10 @@
 
 namespace radlab::grader {
 
-/// What a student sees of a compile error: the compiler's first error with its line, and the next step.
+/// The compiler's first error with its line, under the name that the file has from here.
+std::string shownError(const std::string& firstError, const std::filesystem::path& file);
+
+/// What a student sees of a compile error: that, and the next step.
 std::string compileReport(const std::string& firstError, const std::filesystem::path& file);
 
 }  // namespace radlab::grader

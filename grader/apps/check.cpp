@@ -3,16 +3,13 @@
 #include <cstdlib>
 #include <iostream>
 
-#include <nlohmann/json.hpp>
-
 #include "apps/CommandLine.h"
 #include "base/Heap.h"
 #include "base/WholeFile.h"
 #include "grader/apps/CheckFile.h"
+#include "grader/apps/CheckReports.h"
 #include "grader/apps/CompileReport.h"
 #include "grader/apps/Watch.h"
-#include "grader/report/HtmlReport.h"
-#include "grader/report/JUnit.h"
 #include "grader/report/Terminal.h"
 #include "grader/sandbox/Process.h"
 
@@ -26,7 +23,7 @@ struct Flags {
     std::uint64_t seed = 1;
     unsigned jobs = 0;
     bool hint = false, html = false, open = false, watch = false;
-    std::string out = "out/check", json, junit;
+    std::string out = "out/check", json, junit, gradescope;
 };
 
 void describe(CLI::App& app, Flags& flags) {
@@ -39,6 +36,7 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--out", flags.out, "The folder of that page")->capture_default_str();
     app.add_option("--json", flags.json, "Write the verdict to this file");
     app.add_option("--junit", flags.junit, "Write the verdict to this file in the form of JUnit");
+    app.add_option("--gradescope", flags.gradescope, "Write the verdict to this file in the form of Gradescope");
     app.add_option("--seed", flags.seed, "What the cases are drawn from")->capture_default_str();
     app.add_option("--jobs", flags.jobs, "Processes at once; 0 is one a core")->capture_default_str();
     app.footer(
@@ -56,35 +54,56 @@ void openInBrowser(const std::filesystem::path& page) {
     std::cerr << "radlab: no browser could be started; open the page yourself\n";
 }
 
-void writeFiles(const Result& result, const Flags& flags) {
-    if (!flags.json.empty()) radlab::writeFile(flags.json, resultToJson(result).dump(2) + "\n");
-    if (!flags.junit.empty()) radlab::writeFile(flags.junit, junitXml(result));
-    if (!flags.html && !flags.open) return;
-    const std::filesystem::path page = writeHtmlReport(result, flags.out);
+CheckReports reportsOf(const Flags& flags) {
+    return {flags.json, flags.junit, flags.gradescope, flags.html || flags.open ? flags.out : ""};
+}
+
+void report(const StudentResult& verdict, const Flags& flags) {
+    const std::filesystem::path page = writeReports(verdict, reportsOf(flags));
+    if (page.empty()) return;
     std::cout << "page: " << page.string() << '\n';
     if (flags.open) openInBrowser(page);
 }
 
-int check(const Flags& flags) {
-    const FileChecker checker(flags.file, flags.seed, flags.jobs);
-    std::vector<std::string> stages;
-    if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
-    ReportOptions options;
-    options.color = wantsColor();
-    options.hints = flags.hint;
-    if (flags.watch) return watch(checker, options);
+// Gradescope wants a verdict on nothing, too.
+void expectText(const Flags& flags) {
+    std::error_code failure;
+    if (std::filesystem::is_regular_file(flags.file, failure) &&
+        radlab::readFile(flags.file).find_first_not_of(" \t\r\n") != std::string::npos)
+        return;
+    report({}, flags);
+    throw radlab::Error({flags.file}, "found no such file or an empty one, expected a C++ file with the six functions");
+}
+
+int check(const FileChecker& checker, const std::vector<std::string>& stages, const Flags& flags) {
+    StudentResult verdict;
+    verdict.outcome = Outcome::graded;
     try {
-        const Result result = checker.judge(stages);
-        writeFiles(result, flags);
-        std::cout << terminalReport(result, options);
-        return exitCode(result);
+        verdict.result = checker.judge(stages);
+        report(verdict, flags);
+        std::cout << terminalReport(verdict.result, {.color = wantsColor(), .hints = flags.hint});
+        return exitCode(verdict.result);
     } catch (const CompileError& error) {
+        verdict.result = checker.notCompiled(stages, shownError(error.what(), flags.file));
+        report(verdict, flags);
         std::cout << compileReport(error.what(), flags.file);
         return 2;
     } catch (const MachineError& error) {
+        verdict.outcome = Outcome::error;
+        verdict.fault = error.what();
+        report(verdict, flags);
         std::cerr << "error: " << error.what() << '\n';
         return 3;
     }
+}
+
+int run(const Flags& flags) {
+    const FileChecker checker(flags.file, flags.seed, flags.jobs);
+    std::vector<std::string> stages;
+    if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
+    if (flags.watch) return watch(checker, {.color = wantsColor(), .hints = flags.hint});
+    expectText(flags);
+    return check(checker, stages, flags);
 }
 
 }  // namespace
@@ -94,5 +113,5 @@ int main(int argc, char** argv) {
     CLI::App app("Says which stages of the exercise are right, and what is wrong with the others.");
     Flags flags;
     describe(app, flags);
-    return radlab::runCommandLine(app, argc, argv, [&] { return check(flags); });
+    return radlab::runCommandLine(app, argc, argv, [&] { return run(flags); });
 }

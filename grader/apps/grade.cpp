@@ -10,7 +10,7 @@
 #include "grader/apps/GradeReports.h"
 #include "grader/apps/GradeSummary.h"
 #include "grader/apps/Grading.h"
-#include "grader/apps/SelfTest.h"
+#include "grader/apps/TryAttacks.h"
 #include "grader/batch/ClassRun.h"
 #include "grader/batch/SlurmEngine.h"
 #include "grader/batch/Version.h"
@@ -174,7 +174,7 @@ int gradeTask(const Flags& flags) {
 int grade(const Flags& flags) {
     try {
         requireProtections(flags.require, machineSandbox());
-        if (flags.selfTest) return runSelfTest();
+        if (flags.selfTest) return tryAttacks();
         if (flags.submissions.empty())
             throw Error("no folder of submissions was named: ./radlab grade --help shows how");
         return flags.task.empty() ? gradeSubmissions(flags) : gradeTask(flags);

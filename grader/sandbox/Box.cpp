@@ -98,6 +98,8 @@ std::vector<std::string> bubblewrapArguments(const Box& box, int filter) {
         for (const char* folder : {"/usr/bin", "/bin", "/usr/include", "/usr/libexec", "/usr/local/bin",
                                    "/usr/local/lib", "/usr/local/include", "/etc/alternatives"})
             show(arguments, folder);
+    // First, or else it would cover what is shown of a project that lies below /tmp itself.
+    if (box.scratch) add(arguments, {"--size", std::to_string(box.scratch), "--tmpfs", "/tmp"});
     for (const Box::Shown& shown : box.readOnly)
         add(arguments, {"--ro-bind", shown.here.string(), shown.there.string()});
     add(arguments, {"--size", "65536", "--tmpfs", "/dev"});
@@ -105,7 +107,6 @@ std::vector<std::string> bubblewrapArguments(const Box& box, int filter) {
         add(arguments, {"--dev-bind", device, device});
     add(arguments, {"--remount-ro", "/dev"});
     if (box.processFiles) add(arguments, {"--proc", "/proc"});
-    if (box.scratch) add(arguments, {"--size", std::to_string(box.scratch), "--tmpfs", "/tmp"});
     if (filter >= 0) add(arguments, {"--seccomp", std::to_string(filter)});
     add(arguments, {"--remount-ro", "/", "--"});
     return arguments;

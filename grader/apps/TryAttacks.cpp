@@ -1,4 +1,4 @@
-#include "grader/apps/SelfTest.h"
+#include "grader/apps/TryAttacks.h"
 
 #include <cstdio>
 #include <iostream>
@@ -24,7 +24,7 @@ void tellProtections() {
 
 }  // namespace
 
-int runSelfTest() {
+int tryAttacks() {
     tellProtections();
     const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
     Manifest manifest = readManifest(manifestFile());

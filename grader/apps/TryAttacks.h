@@ -6,6 +6,6 @@ namespace radlab::grader {
 ///
 /// @return the exit code: 0 where all were, or were not tried as this machine lacks what stops them; 3 where one got through
 /// @cost   two minutes on two cores
-int runSelfTest();
+int tryAttacks();
 
 }  // namespace radlab::grader

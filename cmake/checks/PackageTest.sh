@@ -1,0 +1,129 @@
+#!/bin/sh
+# Tests of what is packed for others: PackageTest.sh PROGRAM PROJECT CLAIM, PROGRAM being packaging/package.sh, or check for the autograder.
+# shellcheck disable=SC2015  # A && B || wrong is meant so
+. "$(dirname "$0")/ProgramTest.sh"
+unset RADLAB_PRESET GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
+
+# A copy of the project without git, for strays.
+copy_project() {
+    mkdir "a copy"
+    tar -C "$project" -cf - --exclude=./build --exclude=./out --exclude=./.git . | tar -C "a copy" -xf -
+    program="$work/a copy/packaging/package.sh"
+}
+unpack() { mkdir "$2" && (cd "$2" && cmake -E tar xf "$1") && (cd "$2" && find . -type f | cut -c3- | LC_ALL=C sort) >"$2.names"; }
+has() { grep -qxF -- "$2" "$1.names" || wrong "$2 is not in it"; }
+has_none() { ! grep -E -- "$2" "$1.names" >found || wrong "it holds $(head -n 3 found)"; }
+
+stray() { mkdir -p "$(dirname "a copy/$1")" && echo 'int stray;' >"a copy/$1"; }
+strays() {
+    for name in exercises/Solved.cpp exercises/ProgRef.cpp~ submissions/student-07/ProgRef.cpp marks.csv build/release/a.cpp \
+        out/check/index.html framework/base/Error.h.orig framework/.cache/a.cpp grader/stages/manifest.json~ CMakeUserPresets.json; do
+        stray "$name"
+    done
+    ln -s /etc/passwd "a copy/framework/base/link.cpp"
+}
+no_strays() { has_none "$1" 'Solved|~$|student-07|marks|/build/|/out/|\.orig$|\.cache|UserPresets|link|\.git/'; }
+
+# Runs the autograder on what lies in submission; its results are JSON with that score.
+autograde() {
+    rm -f autograder/results/results.json
+    RADLAB_AUTOGRADER=$work/autograder sh autograder/source/run_autograder >out 2>err || wrong "exit code $?: $(cat err)"
+    cmake -P valid.cmake 2>found || wrong "$(cat found autograder/results/results.json)"
+    grep -q "\"score\": $1,\$" autograder/results/results.json || grep -q "\"score\": $1, \"output\"" autograder/results/results.json ||
+        wrong "expected the score $1, found: $(cat autograder/results/results.json err)"
+    says autograder/results/results.json "$2"
+    rm -rf autograder/submission && mkdir -p autograder/submission/exercises
+}
+
+case $claim in
+    "students get what check needs, and no line of the solutions")
+        run student students.zip
+        exits 0
+        unpack ../students.zip new
+        for name in radlab README.md LICENSE CMakeLists.txt exercises/ProgRef.cpp framework/course/ProgRef.h .gitignore \
+            grader/stages/manifest.json grader/apps/check.cpp resources/reference/calcFF.png .github/workflows/check.yml; do
+            has new "radlab/$name"
+        done
+        has_none new '/(solutions|mutants|attacks|batch|intake|packaging|\.ci)/|Test\.cpp$|grade\.cpp|BENCHMARKS'
+        [ -x new/radlab/radlab ] && [ ! -x new/radlab/README.md ] || wrong "$(ls -l new/radlab)"
+        cmp "$project/packaging/README-student.md" new/radlab/README.md
+        sed 's/^ *//' "$project/solutions/ProgRef.cpp" "$project/solutions/OlderStyle.cpp" |
+            awk 'length > 45 && !/^\/\/ [A-Z]/ && !/^for \(std::size_t i = 0; i < polygons/' | LC_ALL=C sort -u >lines
+        [ "$(wc -l <lines)" -gt 25 ] || wrong "$(cat lines)"
+        ! grep -rFf lines new >found || wrong "$(head -n 3 found)" ;;
+    "what students get can be configured, and has no program that needs the solutions")
+        copy_project
+        run student students.zip
+        unpack ../students.zip new
+        cmake -G Ninja -S new/radlab -B built -DCMAKE_BUILD_TYPE=Release >out 2>&1 || wrong "$(cat out)"
+        ninja -C built -t targets all >targets
+        says targets 'demo-exercise: phony'
+        ! grep -E '^(demo|study|grade|unpack|bench|solution-test): ' targets || wrong "programs that it should not have" ;;
+    "strays, links and what git ignores stay out, with git and without")
+        copy_project
+        strays
+        run student plain.zip
+        exits 0
+        unpack ../plain.zip plain
+        no_strays plain
+        command -v git >/dev/null || exit 0
+        (cd "a copy" && git init -q && git add CMakeLists.txt LICENSE radlab framework grader exercises/ProgRef.cpp resources cmake) 2>err ||
+            wrong "$(cat err)"
+        stray framework/base/Mine.cpp
+        run student "a new folder/known.zip"
+        exits 0
+        says err 'left out, since git does not know it: framework/base/Mine.cpp'
+        unpack "$work/a new folder/known.zip" known
+        no_strays known
+        has_none known Mine
+        has known radlab/exercises/ProgRef.cpp ;;
+    "what is wrong is said in one line, and an older package stays as it was")
+        copy_project
+        echo older >old.zip
+        for words in 'pupil old.zip' 'student old.zip more' 'student old.tar' 'student .'; do
+            # shellcheck disable=SC2086
+            run $words
+            exits 2
+            [ "$(wc -l <err)" -eq 1 ] || wrong "$(cat err)"
+        done
+        cp "a copy/solutions/ProgRef.cpp" "a copy/exercises/ProgRef.cpp"
+        run student old.zip
+        exits 2
+        says err 'expected the six stubs'
+        echo older | cmp - old.zip
+        [ "$(ls)" = "$(printf 'a copy\nerr\nold.zip\nout')" ] || wrong "$(ls)" ;;
+    "the autograder for Gradescope has its two scripts at the top, and no solution")
+        run gradescope autograder.zip
+        exits 0
+        unpack ../autograder.zip new
+        [ -x new/setup.sh ] && [ -x new/run_autograder ] && [ -x new/radlab/radlab ] || wrong "$(ls -l new)"
+        has_none new '/(solutions|mutants|attacks|\.github)/' ;;
+    "the autograder for Gradescope writes results for every submission, whatever it holds")
+        mkdir -p autograder/source/radlab/build/release/bin autograder/submission/exercises
+        cp "$project/packaging/run_autograder" autograder/source/
+        ln -s "$program" autograder/source/radlab/build/release/bin/check
+        # shellcheck disable=SC2016  # CMake's
+        printf 'file(READ autograder/results/results.json text)\nstring(JSON score GET "${text}" score)\n' >valid.cmake
+        autograde 0.0 'There was no file to grade'
+        cp "$project/solutions/ProgRef.cpp" secret.cpp
+        ln -s "$work/secret.cpp" autograder/submission/ProgRef.cpp
+        autograde 0.0 'There was no file to grade'
+        mkdir autograder/submission/exercises/ProgRef.cpp
+        autograde 0.0 'There was no file to grade'
+        cp "$project/exercises/ProgRef.cpp" autograder/submission/exercises/
+        autograde 0.0 '"outcome": "graded"'
+        printf '#include "ProgRef.h"\n\nint a = b;\n' >autograder/submission/ProgRef.cpp
+        autograde 0.0 'ProgRef.cpp:3:9: error: '
+        mkdir -p "autograder/submission/a/deeper \$(touch $work/fooled)
+folder"
+        cp "$project/exercises/ProgRef.cpp" autograder/submission/
+        cp "$project/exercises/ProgRef.cpp" autograder/submission/a/deeper*/
+        cp "$project/solutions/ProgRef.cpp" autograder/submission/exercises/
+        autograde 100.0 '"status": "passed"'
+        [ ! -e fooled ] || wrong "a name was run"
+        printf '#!/bin/sh\nexit 3\n' >broken
+        chmod +x broken
+        ln -sf "$work/broken" autograder/source/radlab/build/release/bin/check
+        autograde 0 'The 0 is no mark' ;;
+    *) wrong "no such claim" ;;
+esac

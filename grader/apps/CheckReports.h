@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "grader/protocol/Student.h"
+
+namespace radlab::grader {
+
+/// Which reports of a verdict to write, and where; an empty path is none.
+struct CheckReports {
+    std::filesystem::path json, junit, gradescope;
+    std::filesystem::path page;  ///< a folder
+};
+
+/// Writes the reports asked for, each whole or not at all.
+///
+/// Where nothing could be judged, there is only Gradescope's, which says why.
+/// @return the page; empty where none was written
+/// Errors: a folder that does not exist or cannot be written.
+std::filesystem::path writeReports(const StudentResult& verdict, const CheckReports& reports);
+
+}  // namespace radlab::grader
