@@ -49,11 +49,13 @@ std::string withStart(std::string text, const std::string& start) {
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
-// Names that attacks give to what they leave.
+// What an attack leaves is called so; of this process alone, since others may try attacks at the same time.
+std::string leftName() { return "radlab-breach-" + std::to_string(getpid()); }
+
 bool isLeftBehind(const fs::path& place, std::string& why) {
     std::error_code failure;
     for (const fs::directory_entry& entry : fs::directory_iterator(place, failure))
-        if (entry.path().filename().string().rfind("radlab-breach", 0) == 0) {
+        if (entry.path().filename().string().rfind(leftName(), 0) == 0) {
             why = entry.path().string() + " was left behind";
             fs::remove_all(entry.path(), failure);
             return true;
@@ -177,8 +179,8 @@ std::vector<Attack> allAttacks() {
 
 std::string attackText(const Attack& attack) {
     std::string text = "#define ROOT " + quoted(root.string()) + "\n#define SOLUTION " +
-                       quoted((root / "solutions/ProgRef.cpp").string()) + "\n" + readFile(folder / "code/prelude.h") +
-                       readFile(folder / "code" / (attack.id + ".cpp"));
+                       quoted((root / "solutions/ProgRef.cpp").string()) + "\n#define LEFT " + quoted(leftName()) +
+                       "\n" + readFile(folder / "code/prelude.h") + readFile(folder / "code" / (attack.id + ".cpp"));
     std::string start = attack.call ? "attack();\n" : "";
     if (!attack.solution) start += "throw NotImplemented(\"maxenergy_patch\");\n";
     return text + withStart(readFile(root / "solutions/ProgRef.cpp"), start);

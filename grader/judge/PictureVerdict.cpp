@@ -24,8 +24,7 @@ Picture besideNearestReference(const ManifestCheck& line, const Image& found) {
 
 std::string rmsText(const Picture& picture) {
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "the picture differs from the reference by %.4f RMS, expected at most %.4f",
+    std::snprintf(text, sizeof text, "the picture differs from the reference by %.4f RMS, expected at most %.4f",
                   picture.rms, picture.tolerance);
     return text;
 }

@@ -5,7 +5,7 @@ static void attack() {
         std::size_t bytes = 0;
         int names = 0;
         for (int i = 0; i < 1000; ++i) {
-            const std::string name = std::string(folder) + "/radlab-breach-" + std::to_string(i);
+            const std::string name = std::string(folder) + "/" LEFT "-" + std::to_string(i);
             const int file = open(name.c_str(), O_WRONLY | O_CREAT, 0600);
             if (file < 0 && mkdir(name.c_str(), 0700) != 0) break;
             ++names;

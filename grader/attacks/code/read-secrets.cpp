@@ -8,7 +8,7 @@ static void attack() {
                              "/etc/passwd",
                              "/etc/shadow",
                              "/etc/hostname",
-                             "/root/.bash_history",
+                             "/root",
                              "/home",
                              "/proc/self/environ",
                              "/proc/1/environ",
