@@ -4,8 +4,8 @@ namespace radlab {
 
 /// Lets this process keep what it frees: large blocks come from the heap and go back to it, not to the system each time.
 ///
-/// For programs that make the same large things again and again: half of the time that new pages take is saved. Where the
-/// library cannot be told so, nothing happens.
+/// For programs that make the same large things again and again: new pages take the system's time. Where the library cannot
+/// be told so, nothing happens.
 void keepFreedMemory();
 
 }  // namespace radlab
