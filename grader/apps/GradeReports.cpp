@@ -62,23 +62,41 @@ void tell(std::vector<std::string>& notes, const std::string& what, const Filled
     for (const std::string& row : filled.unmatchedRows) notes.push_back(what + ": nobody for the row of " + row);
 }
 
-template <class Fill>
-void fill(std::vector<std::string>& notes, const char* what, const fs::path& given, const ReportFiles& files,
-          const std::vector<StudentResult>& results, const Fill& filled) {
-    if (given.empty()) return;
+// A gradebook of another system.
+struct Gradebook {
+    const char* what;
+    fs::path given, to;
     FillOptions options;
-    options.file = given.string();
-    options.assignment = files.assignment;
-    const fs::path to = files.folder / given.filename();
-    std::error_code failure;
-    if (fs::equivalent(given, to, failure))
-        throw Error({given.string()}, "the file to fill in lies where its filled-in copy goes: put it elsewhere");
-    const FilledGradebook gradebook = filled(readFile(given), results, options);
-    writeFile(to, gradebook.text);
-    tell(notes, what, gradebook, to);
+    FilledGradebook (*filled)(const std::string&, const std::vector<StudentResult>&, const FillOptions&);
+
+    FilledGradebook fill(const std::vector<StudentResult>& results) const {
+        return filled(readFile(given), results, options);
+    }
+};
+
+std::vector<Gradebook> gradebooks(const ReportFiles& files) {
+    std::vector<Gradebook> all;
+    for (const auto& [what, given, filled] :
+         {std::tuple("Canvas", files.canvas, &filledCanvas), std::tuple("Moodle", files.moodle, &filledMoodle)}) {
+        if (given.empty()) continue;
+        Gradebook& book = all.emplace_back(Gradebook{what, given, files.folder / given.filename(), {}, filled});
+        book.options.file = given.string();
+        book.options.assignment = files.assignment;
+    }
+    return all;
 }
 
 }  // namespace
+
+void checkGradebooks(const ReportFiles& files) {
+    for (const Gradebook& book : gradebooks(files)) {
+        std::error_code failure;
+        if (fs::equivalent(book.given, book.to, failure))
+            throw Error({book.given.string()},
+                        "the file to fill in lies where its filled-in copy goes: put it elsewhere");
+        book.fill({});
+    }
+}
 
 std::vector<std::string> writeClassReports(const std::vector<Submission>& submissions, const StoreReader& store,
                                            const ReportFiles& files) {
@@ -87,12 +105,14 @@ std::vector<std::string> writeClassReports(const std::vector<Submission>& submis
     writeFile(files.folder / "checks.csv", checksCsv(results));
     writeFile(files.folder / "junit.xml", classJunitXml(results));
     std::vector<std::string> notes;
-    fill(notes, "Canvas", files.canvas, files, results, filledCanvas);
-    fill(notes, "Moodle", files.moodle, files, results, filledMoodle);
     ClassInfo info{
         files.title, now(), files.version, protections(machineSandbox()), {"marks.csv", "checks.csv", "junit.xml"}};
-    for (const fs::path& gradebook : {files.canvas, files.moodle})
-        if (!gradebook.empty()) info.files.push_back(gradebook.filename().string());
+    for (const Gradebook& book : gradebooks(files)) {
+        const FilledGradebook filled = book.fill(results);
+        writeFile(book.to, filled.text);
+        tell(notes, book.what, filled, book.to);
+        info.files.push_back(book.to.filename().string());
+    }
     writeFile(files.folder / "index.html", classPage(info, results));
     return notes;
 }

@@ -19,6 +19,11 @@ struct ReportFiles {
     std::string assignment;        ///< which column of theirs
 };
 
+/// Reads the gradebooks that are to be filled in, so that what is wrong with one is said before an hour of grading.
+///
+/// Errors: those of the gradebooks.
+void checkGradebooks(const ReportFiles& files);
+
 /// Writes the page of the class and of each student, the tables, JUnit's form, and the filled-in gradebooks.
 ///
 /// Each file appears whole. Pages of students who are no longer in the class are left.

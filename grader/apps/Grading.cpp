@@ -10,7 +10,7 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr const char* solution = RADLAB_SOURCE_DIR "/solutions/ProgRef.cpp";
+const std::filesystem::path solutions = RADLAB_SOURCE_DIR "/solutions";
 
 JudgeOptions oneAfterTheOther(std::uint64_t seed) {
     JudgeOptions options;
@@ -29,17 +29,19 @@ std::string firstProblem(const Result& result) {
 
 }  // namespace
 
-Grading::Grading(std::uint64_t seed, std::string file)
+Grading::Grading(std::uint64_t seed)
     : toolchain(readToolchain(RADLAB_TOOLCHAIN)),
       manifest(readManifest(manifestFile())),
-      main(std::move(file)),
       judge(manifest, toolchain, oneAfterTheOther(seed)) {
     encodeReferences(manifest, pictures);
 }
 
 void Grading::rehearse() {
-    if (!std::filesystem::exists(solution)) return;
-    const std::string problem = firstProblem(gradeFiles({{main, readFile(solution)}}, main, judge, pictures).result);
+    std::map<std::string, std::string> solution;
+    for (const std::string& name : manifest.files)
+        if (std::filesystem::exists(solutions / name)) solution[name] = readFile(solutions / name);
+    if (!solution.count(manifest.files.front())) return;
+    const std::string problem = firstProblem(graded(solution).result);
     if (!problem.empty())
         throw MachineError("the solution itself loses marks on this machine, so nobody is graded: " + problem);
 }

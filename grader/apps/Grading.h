@@ -11,12 +11,12 @@ namespace radlab::grader {
 /// Grades submissions on this machine, one check after the other in each.
 class Grading {
 public:
-    /// @param file  the one to compile, of those that are handed in
-    Grading(std::uint64_t seed, std::string file);
+    explicit Grading(std::uint64_t seed);
 
     const Toolchain& tools() const { return toolchain; }
+    const Manifest& rules() const { return manifest; }
 
-    Graded grade(const Job& job) { return gradeFiles(job.files, main, judge, pictures); }
+    Graded grade(const Job& job) { return graded(job.files); }
 
     /// Makes sure that grading is fair here, and does once what all submissions need: the solution gets all marks.
     ///
@@ -25,9 +25,12 @@ public:
     void rehearse();
 
 private:
+    Graded graded(const std::map<std::string, std::string>& files) {
+        return gradeFiles(files, manifest.files.front(), judge, pictures);
+    }
+
     Toolchain toolchain;
     Manifest manifest;
-    std::string main;
     Judge judge;
     PngCache pictures;
 };

@@ -129,15 +129,32 @@ private:
     TemporaryFolder folder;
 };
 
+std::string titleOf(const std::filesystem::path& submissions) {
+    const std::filesystem::path folder = std::filesystem::absolute(submissions).lexically_normal();
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
+
+ReportFiles reportFiles(const Flags& flags, const std::string& version) {
+    return {std::filesystem::path(flags.out) / "grades",
+            titleOf(flags.submissions),
+            version,
+            flags.canvas,
+            flags.moodle,
+            flags.assignment};
+}
+
 int gradeSubmissions(const Flags& flags) {
     const std::vector<Submission> all = findSubmissions(flags.submissions), some = chosen(all, flags.only);
     const Scratch scratch;
     makeFolder(flags.out);
     IntakeRules intake;
     intake.unpack = RADLAB_UNPACK_PROGRAM;
-    Grading grading(flags.seed, intake.files.front());
+    Grading grading(flags.seed);
+    intake.files = grading.rules().files;
     ClassRules rules;
     rules.key = {versionOf(filesOfGrader(grading.tools())), flags.seed, flags.regrade};
+    const ReportFiles files = reportFiles(flags, rules.key.version);
+    checkGradebooks(files);
     rules.take = [&](const Submission& submission) { return take(submission, intake); };
     Store store(std::filesystem::path(flags.out) / "grades.db");
     LocalEngine local([&](const Job& job) { return grading.grade(job); }, poolRules(flags, grading.tools()));
@@ -150,12 +167,6 @@ int gradeSubmissions(const Flags& flags) {
                   << " have their mark, and keep it; the same command goes on with the others\n";
         return 130;
     }
-    const ReportFiles files{std::filesystem::path(flags.out) / "grades",
-                            std::filesystem::absolute(flags.submissions).lexically_normal().filename().string(),
-                            rules.key.version,
-                            flags.canvas,
-                            flags.moodle,
-                            flags.assignment};
     const std::vector<std::string> notes = writeClassReports(all, store, files);
     std::cout << classSummary(counts, all, store);
     for (const std::string& note : notes) std::cout << note << '\n';
@@ -164,7 +175,7 @@ int gradeSubmissions(const Flags& flags) {
 
 int gradeTask(const Flags& flags) {
     const Scratch scratch;
-    Grading grading(flags.seed, IntakeRules{}.files.front());
+    Grading grading(flags.seed);
     LocalEngine local([&](const Job& job) { return grading.grade(job); }, poolRules(flags, grading.tools()));
     Rehearsed engine(grading, local);
     runSlurmTask(flags.task, std::stoul(flags.submissions), engine);

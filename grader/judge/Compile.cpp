@@ -38,6 +38,21 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
+// The files in the box, the one to compile first, each under the first name for one that has the second outside.
+using Sources = std::vector<std::pair<std::string, std::string>>;
+
+Sources showSources(Box& box, const std::filesystem::path& source, const std::filesystem::path& folder,
+                    const std::vector<std::string>& names) {
+    Sources sources;
+    for (const std::string& name : names) {
+        const std::filesystem::path from = sources.empty() ? source : source.parent_path() / name, copy = folder / name;
+        if (!sources.empty() && !std::filesystem::is_regular_file(from)) continue;
+        writeForAll(copy, readFile(from));
+        sources.emplace_back(box.show(copy, "/submission/" + name).string(), from.string());
+    }
+    return sources;
+}
+
 std::vector<std::string> compilerCall(const Toolchain& toolchain, Box& box, const std::string& source) {
     box.calls = Calls::compiler;
     box.programs = true;
@@ -88,18 +103,17 @@ std::string compileSubmission(const std::filesystem::path& file, const std::file
     if (!std::filesystem::is_regular_file(source, failure))
         throw Error(file.string() + ": found no such file, expected a C++ file with the six functions");
     const TemporaryFolder folder;
-    const std::filesystem::path copy = folder.path() / "ProgRef.cpp";
-    writeForAll(copy, readFile(source));
     Command command;
     Box& box = command.box.emplace(toolchain.sandbox);
-    const std::string shown = box.show(copy, "/submission/ProgRef.cpp").string();
-    command.arguments = compilerCall(toolchain, box, shown);
+    const Sources sources = showSources(box, source, folder.path(), manifest.files);
+    command.arguments = compilerCall(toolchain, box, sources.front().first);
     ProcessLimits limits;
     limits.seconds = manifest.compileSeconds;
     limits.file = limits.answer = mostLibrary;
     limits.output = mostSaid;
     const Ended ended = run(command, "", limits);
-    const std::string said = replaced(ended.output, shown, source.string());
+    std::string said = ended.output;
+    for (const auto& [shown, own] : sources) said = replaced(said, shown, own);
     if (ended.how == Ended::How::timedOut)
         throw CompileError(file.string() + ": compiling took longer than " + durationText(limits.seconds));
     if (ended.answer.empty() || ended.answer[0] != begun)

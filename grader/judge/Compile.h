@@ -33,10 +33,10 @@ public:
 };
 
 /// Compiles a submission into a shared library that the worker can load, in a box where it finds the course's headers and the
-/// compiler, and nothing of the machine.
+/// compiler, and nothing of the machine. Of the files beside it, it finds those that the manifest names.
 ///
 /// @param library  the file to write; whatever the compiler does, no other is written
-/// @return what the compiler said, under the file's own name
+/// @return what the compiler said, under the files' own names
 /// Errors: CompileError, also where the compiler takes too long; no such file; MachineError.
 /// @cost half a second where the precompiled header fits
 std::string compileSubmission(const std::filesystem::path& file, const std::filesystem::path& library,

@@ -64,6 +64,24 @@ TEST_CASE("what does not compile has no marks, and says what the compiler said, 
     }
 }
 
+TEST_CASE("of several files the first is compiled, and finds those that the manifest names") {
+    Manifest manifest = readManifest(manifestFile());
+    manifest.files = {"Main.cpp", "Helper.h", "Unused.h"};
+    JudgeOptions options;
+    options.stages = {"maxenergy_patch"};
+    Judge judge(manifest, readToolchain(RADLAB_TOOLCHAIN), options);
+    PngCache pictures;
+    const auto graded = [&](const std::string& helper, const std::string& header) {
+        return gradeFiles({{"Main.cpp", "#include \"" + header + "\"\n" + solution}, {header, helper}}, "Main.cpp",
+                          judge, pictures);
+    };
+    CHECK(graded("constexpr int five = 5;\n", "Helper.h").result.score == 10.0);
+    CHECK(graded("\nint wrong = nonsense;\n", "Helper.h").result.compiler.find("Helper.h:2:13: error: ") !=
+          std::string::npos);
+    const Graded other = graded("constexpr int five = 5;\n", "Other.h");
+    CHECK(other.result.compiler.find("Main.cpp:1:10: fatal error: Other.h: No such file") == 0);
+}
+
 TEST_CASE("where the grader is at fault there is no mark") {
     Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
     toolchain.worker = "/bin/false";

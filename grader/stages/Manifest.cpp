@@ -41,6 +41,16 @@ ManifestStage stageFrom(const Json& json, const std::string& file) {
     return stage;
 }
 
+// Names without folders: they are looked for in submissions, and written beside one another.
+std::vector<std::string> filesFrom(const Json& json, const std::string& file) {
+    const std::vector<std::string> names = json.get<std::vector<std::string>>();
+    if (names.empty()) throw Error({file}, "files: found none, expected the one to compile, then others");
+    for (const std::string& name : names)
+        if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+            throw Error({file}, "files: found '" + name + "', expected a name without a folder");
+    return names;
+}
+
 }  // namespace
 
 std::filesystem::path manifestFile() { return RADLAB_SOURCE_DIR "/grader/stages/manifest.json"; }
@@ -50,6 +60,7 @@ Manifest readManifest(const std::filesystem::path& file) {
     try {
         const Json json = Json::parse(text);
         Manifest manifest;
+        manifest.files = filesFrom(json.at("files"), file.string());
         const Json& limits = json.at("limits");
         limits.at("seconds").get_to(manifest.seconds);
         limits.at("mebibytes").get_to(manifest.mebibytes);

@@ -28,6 +28,7 @@ struct ManifestStage {
 
 /// Order, titles, marks, checks and hints of the grader, out of one data file.
 struct Manifest {
+    std::vector<std::string> files;  ///< what is handed in; the first is compiled, and finds the others beside it
     std::vector<ManifestStage> stages;
     double seconds = 0.0;    ///< limit of a check
     double mebibytes = 0.0;  ///< limit of a check's memory

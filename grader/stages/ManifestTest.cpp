@@ -62,8 +62,12 @@ TEST_CASE("a manifest that is wrong is refused with its name") {
         CHECK_THROWS_WITH_AS(readManifest(folder / "manifest.json"), doctest::Contains(why.c_str()), Error);
     };
     refused("{", "manifest.json");
-    refused("{\"stages\": []}", "limits");
-    refused(R"({"limits": {"seconds": 1, "mebibytes": 1, "compile_seconds": 1}, "stages":
+    refused("{\"stages\": []}", "files");
+    refused(R"({"files": ["a.cpp"], "stages": []})", "limits");
+    refused(R"({"files": []})", "files: found none");
+    for (const char* name : {"", ".", "..", "a/b.h", "/etc/passwd"})
+        refused(R"({"files": ["a.cpp", ")" + std::string(name) + "\"]}", "files: found '" + std::string(name) + "'");
+    refused(R"({"files": ["a.cpp"], "limits": {"seconds": 1, "mebibytes": 1, "compile_seconds": 1}, "stages":
         [{"stage": "calcFF", "title": "", "marks": 5, "checks": [{"id": "a", "name": "b", "marks": 4}]}]})",
             "calcFF: marks of its checks add up to 4");
 }
