@@ -79,9 +79,7 @@ Image sheet(const Demo& demo) {
 }  // namespace
 
 std::filesystem::path writeDemo(const Demo& demo, const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
+    makeFolder(folder);
     for (const DemoPicture& picture : demo.pictures) writeImage(folder / picture.words.file, picture.image);
     for (const DemoShot& shot : demo.shots) writeImage(folder / shot.file, shot.image);
     if (!demo.shots.empty()) writeImage(folder / "shots_strip.png", demo.strip);

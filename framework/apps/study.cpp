@@ -9,6 +9,7 @@
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "base/Warning.h"
+#include "base/WholeFile.h"
 #include "gl/Context.h"
 #include "study/StudyPage.h"
 
@@ -73,9 +74,7 @@ int makeStudy(const Flags& flags) {
     std::vector<StudiedScene> scenes = readScenes(flags.scenes.empty() ? usualScenes() : flags.scenes);
     const std::filesystem::path folder = flags.out;
     StudyResults results(folder / "results.csv", flags.fresh);
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
+    makeFolder(folder);
     const auto context = openGlIfAny();
     for (StudiedScene& studied : scenes) {
         studied.report = studyScene(studied.scene, plan, context != nullptr, folder, results);

@@ -63,4 +63,10 @@ std::string readFile(const std::filesystem::path& file) {
     return contents;
 }
 
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
+}
+
 }  // namespace radlab

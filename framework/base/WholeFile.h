@@ -23,4 +23,9 @@ void writeFile(const std::filesystem::path& file, const std::function<void(std::
 /// Errors: no such file, a folder, a file that cannot be read or is larger than 1 GiB.
 std::string readFile(const std::filesystem::path& file);
 
+/// Makes a folder and those that it lies in, where they are not there yet.
+///
+/// Errors: what cannot be made, such as a folder in the place of a file.
+void makeFolder(const std::filesystem::path& folder);
+
 }  // namespace radlab

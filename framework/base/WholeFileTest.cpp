@@ -29,6 +29,15 @@ TEST_CASE("a shorter file replaces a longer one as a whole") {
     CHECK(std::filesystem::file_size(folder / "file") == 5);
 }
 
+TEST_CASE("a folder is made with those that it lies in, and a file stays what it is") {
+    const Folder folder;
+    makeFolder(folder / "a/b");
+    makeFolder(folder / "a/b");
+    writeFile(folder / "a/b/file", "text");
+    CHECK_THROWS_WITH_AS(makeFolder(folder / "a/b/file"), doctest::Contains("file: the folder cannot be made"), Error);
+    CHECK(readFile(folder / "a/b/file") == "text");
+}
+
 TEST_CASE("in a folder that does not exist nothing is written, and none is made") {
     const Folder folder;
     const auto file = folder / "none/file";

@@ -26,12 +26,6 @@ std::string now() {
     return text;
 }
 
-void makeFolder(const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
-}
-
 // Without what only a student's own page shows, as a class may be large.
 StudentResult forClass(StudentResult result) {
     for (StageResult& stage : result.result.stages)

@@ -7,6 +7,7 @@
 
 #include "apps/CommandLine.h"
 #include "base/Heap.h"
+#include "base/WholeFile.h"
 #include "grader/apps/GradeReports.h"
 #include "grader/apps/GradeSummary.h"
 #include "grader/apps/Grading.h"
@@ -77,12 +78,6 @@ void describe(CLI::App& app, Flags& flags) {
         "grades.csv\n          ./radlab grade submissions/ --only student-07 --regrade");
 }
 
-void makeFolder(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
-}
-
 std::vector<Submission> chosen(std::vector<Submission> all, const std::vector<std::string>& ids) {
     if (ids.empty()) return all;
     for (const std::string& id : ids)
@@ -146,7 +141,7 @@ ReportFiles reportFiles(const Flags& flags, const std::string& version) {
 int gradeSubmissions(const Flags& flags) {
     const std::vector<Submission> all = findSubmissions(flags.submissions), some = chosen(all, flags.only);
     const Scratch scratch;
-    makeFolder(flags.out);
+    radlab::makeFolder(flags.out);
     IntakeRules intake;
     intake.unpack = RADLAB_UNPACK_PROGRAM;
     Grading grading(flags.seed);

@@ -21,11 +21,7 @@ Json binary(const std::string& bytes) { return Json::binary({bytes.begin(), byte
 }  // namespace
 
 SlurmFolder::SlurmFolder(fs::path where) : folder(fs::absolute(where)) {
-    for (const char* part : parts) {
-        std::error_code failure;
-        fs::create_directories(folder / part, failure);
-        if (failure) throw Error({(folder / part).string()}, "the folder cannot be made: " + failure.message());
-    }
+    for (const char* part : parts) makeFolder(folder / part);
 }
 
 void SlurmFolder::putJob(const Job& job) const {

@@ -134,7 +134,8 @@ private:
             list += (i == 0 ? "'" : ", '") + oneLine(listed[i].title) + "' (" + listed[i].number + ")";
         const std::string wanted = options.assignment.empty() ? "" : " '" + oneLine(options.assignment) + "'";
         throw Error(file.where(0), std::string(found.empty() ? "no assignment fits" : "several assignments fit") +
-                                       wanted + ": found " + list + ", expected --assignment with the number of one of them");
+                                       wanted + ": found " + list +
+                                       ", expected --assignment with the number of one of them");
     }
 
     RosterKeys keys() const {

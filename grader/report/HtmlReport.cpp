@@ -55,9 +55,7 @@ private:
 }  // namespace
 
 std::filesystem::path writeHtmlReport(const Result& result, const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error({folder.string()}, "the folder cannot be made: " + failure.message());
+    makeFolder(folder);
     PictureFiles pictures(folder);
     kainjow::mustache::data values;
     values.set("images_from", "'self' file:");
