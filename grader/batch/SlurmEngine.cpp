@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* jobName = "radlab";
 constexpr double secondsOfAnswer = 60.0;  // of a busy controller
 constexpr int looksAfterEnd = 5;          // a shared file system may show a file later than its job's end
 
@@ -73,6 +74,7 @@ public:
             fail("its task on the cluster ended without a result: see " + folder.logs().string(),
                  attempt == rules.tries);
         }
+        folder.setSubmitted("");
     }
 
 private:
@@ -104,7 +106,7 @@ private:
         script = "exec " + script + quotedForShell(folder.path().string()) + " \"$SLURM_ARRAY_TASK_ID\"";
         std::vector<std::string> arguments = {"--parsable",
                                               "--propagate=NONE",
-                                              "--job-name=radlab",
+                                              std::string("--job-name=") + jobName,
                                               "--array=0-" + std::to_string(tasks - 1),
                                               "--output=" + (folder.logs() / "%a.txt").string(),
                                               "--chdir=" + folder.path().string()};
@@ -158,8 +160,9 @@ private:
         return unknown || (ended.how == Ended::How::exited && ended.code == 0 && trimmed(ended.output).empty());
     }
 
+    // By its name, too: numbers come round again.
     static void cancel(const std::string& job) {
-        if (!job.empty()) ask("scancel", {job});
+        if (!job.empty()) ask("scancel", {std::string("--name=") + jobName, job});
     }
 
     const SlurmRules& rules;

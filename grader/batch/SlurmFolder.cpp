@@ -69,18 +69,19 @@ void SlurmFolder::putFault(const std::string& hash, const std::string& reason) c
 bool SlurmFolder::hasResult(const std::string& hash) const { return fs::exists(folder / "results" / hash); }
 
 std::optional<SlurmFolder::Answer> SlurmFolder::takeAnswer(const std::string& hash) const {
-    Answer answer;
-    for (const char* part : {"results", "faults"}) {
-        const fs::path file = folder / part / hash;
-        if (!fs::exists(file)) continue;
-        if (part == std::string("results"))
-            answer.graded = gradedFromCbor(readFile(file));
-        else
-            answer.fault = readFile(file);
-        fs::remove(file);
-        return answer;
+    const fs::path result = folder / "results" / hash, fault = folder / "faults" / hash;
+    std::optional<Answer> answer;
+    if (fs::exists(result)) {
+        try {
+            answer = Answer{gradedFromCbor(readFile(result)), ""};
+        } catch (const Error&) {  // as if it had not come
+        }
+        fs::remove(result);
+    } else if (fs::exists(fault)) {
+        answer = Answer{std::nullopt, readFile(fault)};
+        fs::remove(fault);
     }
-    return std::nullopt;
+    return answer;
 }
 
 void SlurmFolder::forget(const std::string& hash) const { fs::remove(folder / "jobs" / hash); }
@@ -89,6 +90,11 @@ std::string SlurmFolder::submitted() const {
     return fs::exists(folder / "submitted") ? readFile(folder / "submitted") : "";
 }
 
-void SlurmFolder::setSubmitted(const std::string& number) const { writeFile(folder / "submitted", number); }
+void SlurmFolder::setSubmitted(const std::string& number) const {
+    if (number.empty())
+        fs::remove(folder / "submitted");
+    else
+        writeFile(folder / "submitted", number);
+}
 
 }  // namespace radlab::grader

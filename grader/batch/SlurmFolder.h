@@ -31,13 +31,13 @@ public:
         std::string fault;
     };
 
-    /// Takes an answer out of the folder; nothing while there is none.
+    /// Takes an answer out of the folder; nothing while there is none, or where a shared disk cut it short.
     std::optional<Answer> takeAnswer(const std::string& hash) const;
 
     /// Removes a submission, as all is known of it.
     void forget(const std::string& hash) const;
 
-    /// The number of the array job that was submitted last; empty where there is none.
+    /// The number of the array job that may still run; empty where there is none.
     std::string submitted() const;
     void setSubmitted(const std::string& number) const;
 
