@@ -46,11 +46,11 @@ Status statusOf(const std::vector<CheckResult>& checks) {
 
 // Judges the unit checks of a stage together, since a mistake shows in all of them.
 void settleUnits(const Stage& stage, const std::vector<const Task*>& tasks, const std::vector<CheckResult*>& results) {
-    std::vector<Check> checks;
-    std::vector<CheckRun> runs;
+    std::vector<const Check*> checks;
+    std::vector<const CheckRun*> runs;
     for (const Task* task : tasks) {
-        checks.push_back(*task->check);
-        runs.push_back(task->run.run);
+        checks.push_back(task->check);
+        runs.push_back(&task->run.run);
     }
     const StageVerdict verdict = judge(stage, checks, runs);
     CheckResult* first = nullptr;
@@ -116,10 +116,12 @@ public:
             for (Task& task : tasks)
                 if (task.line->needs.empty() != second && awaited(*task.line, done).empty()) now.push_back(&task);
             runner.run(now);
+            // With one job, one after the other, each in the memory of the one before.
+            const std::launch when = options.jobs == 1 ? std::launch::deferred : std::launch::async;
             std::vector<std::future<StageResult>> judged;
             for (const ManifestStage& stage : manifest.stages)
                 if (wanted(stage.stage) && waits(stage) == second)
-                    judged.push_back(std::async(std::launch::async, [&] { return stageResult(stage, done); }));
+                    judged.push_back(std::async(when, [&] { return stageResult(stage, done); }));
             std::vector<StageResult> results;
             for (std::future<StageResult>& one : judged) results.push_back(one.get());
             done.insert(done.end(), results.begin(), results.end());

@@ -72,10 +72,10 @@ Worker::Worker(const std::filesystem::path& library, const Toolchain& toolchain,
       server(workerCommand(library, toolchain, manifest), limitsOf(toolchain, manifest)) {}
 
 WorkerRun Worker::run(const std::vector<Step>& steps, double seconds) {
-    const Request request{newNonce(), steps};
-    const Ended ended = server.run(toCbor(request), seconds * slower);
+    const std::uint64_t nonce = newNonce();
+    const Ended ended = server.run(requestToCbor(nonce, steps), seconds * slower);
     WorkerRun made;
-    made.run.answers = answersFromRecords(ended.answer, request);
+    made.run.answers = answersFromRecords(ended.answer, nonce, steps);
     made.output = ended.output;
     made.seconds = ended.seconds;
     made.timedOut = ended.how == Ended::How::timedOut;

@@ -67,28 +67,49 @@ void forEachMember(const std::vector<std::string>& names, const Visit& visit) {
         if (named(member)) visit(member, false);
 }
 
+template <class Item>
+bool isAsMade(const std::vector<Item>& items, const Member& member) {
+    const Item made;
+    const char* bytes = reinterpret_cast<const char*>(&made) + member.offset;
+    return std::all_of(items.begin(), items.end(), [&](const Item& item) {
+        return std::memcmp(reinterpret_cast<const char*>(&item) + member.offset, bytes, member.size) == 0;
+    });
+}
+
+// Visits the members, and the items that have them.
+template <class AnyState, class Visit>
+void forEachOf(AnyState& state, const std::vector<std::string>& names, const Visit& visit) {
+    forEachMember(names, [&](const Member& member, bool ofPatch) {
+        if (ofPatch)
+            visit(member, state.patches);
+        else
+            visit(member, state.corners);
+    });
+}
+
 Json stateToJson(const State& state, const std::vector<std::string>& names) {
     Json json = {{"patches", state.patches.size()}, {"corners", state.corners.size()}};
-    forEachMember(names, [&](const Member& member, bool ofPatch) {
-        json[member.name] = ofPatch ? packed(state.patches, member) : packed(state.corners, member);
+    forEachOf(state, names,
+              [&](const Member& member, const auto& items) { json[member.name] = packed(items, member); });
+    return json;
+}
+
+// Of a state that the judge made; most of its members are zero.
+Json wholeStateToJson(const State& state) {
+    Json json = {{"patches", state.patches.size()}, {"corners", state.corners.size()}};
+    forEachOf(state, memberNames(), [&](const Member& member, const auto& items) {
+        if (!isAsMade(items, member)) json[member.name] = packed(items, member);
     });
     return json;
 }
 
-void readMembers(const Json& json, const std::vector<std::string>& names, State& state) {
-    forEachMember(names, [&](const Member& member, bool ofPatch) {
-        if (ofPatch)
-            unpack(json, member, state.patches);
-        else
-            unpack(json, member, state.corners);
-    });
-}
-
-State stateFromJson(const Json& json) {
+State wholeStateFromJson(const Json& json) {
     State state;
     state.patches.resize(json.at("patches").get<std::size_t>());
     state.corners.resize(json.at("corners").get<std::size_t>());
-    readMembers(json, memberNames(), state);
+    forEachOf(state, memberNames(), [&](const Member& member, auto& items) {
+        if (json.contains(member.name)) unpack(json, member, items);
+    });
     return state;
 }
 
@@ -104,7 +125,7 @@ Json stepToJson(const Step& step) {
     json["view"] = std::vector<float>(glm::value_ptr(step.view), glm::value_ptr(step.view) + 16);
     const auto* unshot = reinterpret_cast<const std::uint8_t*>(step.unshot.data());
     json["unshot"] = Json::binary({unshot, unshot + step.unshot.size() * sizeof(Vec3f)});
-    if (step.state) json["state"] = stateToJson(*step.state, memberNames());
+    if (step.state) json["state"] = wholeStateToJson(*step.state);
     return json;
 }
 
@@ -124,7 +145,7 @@ Step stepFromJson(const Json& json) {
     step.unshot.resize(unshot.size() / sizeof(Vec3f));
     if (!step.unshot.empty())
         std::memcpy(static_cast<void*>(step.unshot.data()), unshot.data(), step.unshot.size() * sizeof(Vec3f));
-    if (json.contains("state")) step.state = stateFromJson(json.at("state"));
+    if (json.contains("state")) step.state = wholeStateFromJson(json.at("state"));
     return step;
 }
 
@@ -160,7 +181,9 @@ StepAnswer answerFromJson(const Json& json, const Step& step, const State& befor
         answer.calls.push_back({call.at("reads").get<bool>(), vectorFrom(call.at("eye")), vectorFrom(call.at("up")),
                                 vectorFrom(call.at("direction"))});
     answer.state = before;
-    if (kind == 0) readMembers(json.at("state"), step.wanted, answer.state);
+    if (kind == 0)
+        forEachOf(answer.state, step.wanted,
+                  [&](const Member& member, auto& items) { unpack(json.at("state"), member, items); });
     return answer;
 }
 
@@ -173,11 +196,11 @@ std::vector<std::string> memberNames() {
     return names;
 }
 
-std::string toCbor(const Request& request) {
-    Json steps = Json::array();
-    for (const Step& step : request.steps) steps.push_back(stepToJson(step));
+std::string requestToCbor(std::uint64_t nonce, const std::vector<Step>& steps) {
+    Json list = Json::array();
+    for (const Step& step : steps) list.push_back(stepToJson(step));
     std::string bytes;
-    Json::to_cbor({{"nonce", request.nonce}, {"steps", std::move(steps)}}, bytes);
+    Json::to_cbor({{"nonce", nonce}, {"steps", std::move(list)}}, bytes);
     return bytes;
 }
 
@@ -198,20 +221,21 @@ std::string toRecord(const StepAnswer& answer, std::uint64_t nonce, std::size_t 
     Json json = answerToJson(answer, wanted);
     json["nonce"] = nonce;
     json["step"] = step;
-    std::string body;
-    Json::to_cbor(json, body);
-    const std::uint64_t length = body.size();
+    std::uint64_t length = 0;
     std::string record(sizeof length, '\0');
+    Json::to_cbor(json, record);
+    length = record.size() - sizeof length;
     std::memcpy(record.data(), &length, sizeof length);
-    return record + body;
+    return record;
 }
 
-std::vector<StepAnswer> answersFromRecords(std::string_view bytes, const Request& request) {
+std::vector<StepAnswer> answersFromRecords(std::string_view bytes, std::uint64_t nonce,
+                                           const std::vector<Step>& steps) {
     std::vector<StepAnswer> answers;
-    answers.reserve(request.steps.size());  // `before` points into it
+    answers.reserve(steps.size());  // `before` points into it
     const State none;
     const State* before = &none;
-    for (std::size_t i = 0; i < request.steps.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
         std::uint64_t length = 0;
         if (bytes.size() < sizeof length) break;
         std::memcpy(&length, bytes.data(), sizeof length);
@@ -219,9 +243,8 @@ std::vector<StepAnswer> answersFromRecords(std::string_view bytes, const Request
         if (length > bytes.size()) break;
         try {
             const Json json = cborWithin(bytes.substr(0, length), deepest);
-            if (json.at("nonce").get<std::uint64_t>() != request.nonce || json.at("step").get<std::size_t>() != i)
-                break;
-            const Step& step = request.steps[i];
+            if (json.at("nonce").get<std::uint64_t>() != nonce || json.at("step").get<std::size_t>() != i) break;
+            const Step& step = steps[i];
             answers.push_back(answerFromJson(json, step, step.state ? *step.state : *before));
         } catch (const std::exception&) {
             break;  // hostile or broken: the rest cannot be trusted either

@@ -68,7 +68,8 @@ struct StepAnswer {
 /// Names of all members of State that travel: "patch.area", "corner.position".
 std::vector<std::string> memberNames();
 
-std::string toCbor(const Request& request);
+/// A request as it travels; members of a state that are all as a patch or vertex is made do not.
+std::string requestToCbor(std::uint64_t nonce, const std::vector<Step>& steps);
 
 /// Errors: what is no request.
 Request requestFromCbor(std::string_view bytes);
@@ -80,7 +81,7 @@ std::string toRecord(const StepAnswer& answer, std::uint64_t nonce, std::size_t 
 /// The answers that a worker wrote, as far as they are whole, in order and carry the nonce.
 ///
 /// Nothing in bytes is trusted: a record that is not as it should be ends the list.
-/// @param request what was asked: says how many patches and which members an answer must have
-std::vector<StepAnswer> answersFromRecords(std::string_view bytes, const Request& request);
+/// @param steps  what was asked: says how many patches and which members an answer must have
+std::vector<StepAnswer> answersFromRecords(std::string_view bytes, std::uint64_t nonce, const std::vector<Step>& steps);
 
 }  // namespace radlab::grader

@@ -76,11 +76,11 @@ TEST_CASE("calcFF: every mistake fails and is named, most without many patches")
     int slow = 0;
     for (const Mistake& mistake : stage->mistakes()) {
         const Calls calls = callsOf(mistake.id);
-        StageVerdict verdict = judge(*stage, small, runsOf(small, mistake.computation, calls));
+        StageVerdict verdict = judgeAll(*stage, small, runsOf(small, mistake.computation, calls));
         const auto name = [&] { return verdict.diagnosis ? verdict.diagnosis->id : ""; };
         if (name() != mistake.id) {
             ++slow;
-            verdict = judge(*stage, all, runsOf(all, mistake.computation, calls));
+            verdict = judgeAll(*stage, all, runsOf(all, mistake.computation, calls));
         }
         CAPTURE(mistake.id);
         CAPTURE(mistake.text);

@@ -22,11 +22,11 @@ TEST_CASE("renderPatchIDs: every mistake fails and is named, most by small pictu
     std::erase_if(small, [](const Check& check) { return check.id == "ids.many"; });
     int slow = 0;
     for (const Mistake& mistake : stage->mistakes()) {
-        StageVerdict verdict = judge(*stage, small, runsOf(small, mistake.computation));
+        StageVerdict verdict = judgeAll(*stage, small, runsOf(small, mistake.computation));
         const auto name = [&] { return verdict.diagnosis ? verdict.diagnosis->id : ""; };
         if (name() != mistake.id) {
             ++slow;
-            verdict = judge(*stage, all, runsOf(all, mistake.computation));
+            verdict = judgeAll(*stage, all, runsOf(all, mistake.computation));
         }
         CAPTURE(mistake.id);
         CAPTURE(mistake.text);

@@ -54,22 +54,34 @@ inline std::vector<CheckRun> runsOf(const std::vector<Check>& checks, const Comp
                                     const Calls& calls = noCalls) {
     std::vector<CheckRun> runs;
     for (const Check& check : checks) {
-        Request request;
+        std::vector<Step> steps;
         std::string records;
         for (const Case& asked : check.cases) {
-            records += recordsOf(asked, computation, calls, request.steps.size());
-            request.steps.insert(request.steps.end(), asked.steps.begin(), asked.steps.end());
+            records += recordsOf(asked, computation, calls, steps.size());
+            steps.insert(steps.end(), asked.steps.begin(), asked.steps.end());
         }
-        runs.push_back({answersFromRecords(records, request), ""});
-        RADLAB_CHECK(runs.back().answers.size() == request.steps.size());
+        runs.push_back({answersFromRecords(records, 0, steps), ""});
+        RADLAB_CHECK(runs.back().answers.size() == steps.size());
     }
     return runs;
+}
+
+template <class Item>
+std::vector<const Item*> pointersTo(const std::vector<Item>& items) {
+    std::vector<const Item*> pointers;
+    for (const Item& item : items) pointers.push_back(&item);
+    return pointers;
+}
+
+/// The same as judge, of lists that own what is in them.
+inline StageVerdict judgeAll(const Stage& stage, const std::vector<Check>& checks, const std::vector<CheckRun>& runs) {
+    return judge(stage, pointersTo(checks), pointersTo(runs));
 }
 
 inline StageVerdict judged(const Stage& stage, std::uint64_t seed, const Computation& computation,
                            const Calls& calls = noCalls) {
     const std::vector<Check> checks = stage.checks(seed);
-    return judge(stage, checks, runsOf(checks, computation, calls));
+    return judgeAll(stage, checks, runsOf(checks, computation, calls));
 }
 
 /// The first message of a check that did not pass; empty where all did.
@@ -83,7 +95,7 @@ inline std::string firstFailure(const StageVerdict& verdict) {
 inline std::vector<std::string> failedChecks(const Stage& stage, std::uint64_t seed, const Computation& computation,
                                              const Calls& calls = noCalls) {
     const std::vector<Check> checks = stage.checks(seed);
-    const StageVerdict verdict = judge(stage, checks, runsOf(checks, computation, calls));
+    const StageVerdict verdict = judgeAll(stage, checks, runsOf(checks, computation, calls));
     std::vector<std::string> failed;
     for (std::size_t i = 0; i < checks.size(); ++i)
         if (verdict.checks[i].status != Status::pass) failed.push_back(checks[i].id);
@@ -141,7 +153,7 @@ inline bool differ(const Stage& stage, const Computation& computation, const std
                    const std::vector<CheckRun>& runs) {
     const Only only(stage, computation);
     for (std::size_t i = 0; i < checks.size(); ++i)
-        if (!firstFailure(judge(only, {checks[i]}, {runs[i]})).empty()) return true;
+        if (!firstFailure(judge(only, {&checks[i]}, {&runs[i]})).empty()) return true;
     return false;
 }
 

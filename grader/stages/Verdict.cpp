@@ -23,13 +23,13 @@ struct Answered {
     static bool stopped(const StepAnswer& answer) { return answer.stop.kind != Stop::Kind::none; }
 };
 
-std::vector<Answered> casesOf(const std::vector<Check>& checks, const std::vector<CheckRun>& runs) {
+std::vector<Answered> casesOf(const std::vector<const Check*>& checks, const std::vector<const CheckRun*>& runs) {
     std::vector<Answered> all;
     for (std::size_t c = 0; c < checks.size(); ++c) {
-        auto next = runs[c].answers.begin();
-        for (const Case& asked : checks[c].cases) {
+        auto next = runs[c]->answers.begin();
+        for (const Case& asked : checks[c]->cases) {
             Answered answered{&asked, c, {}};
-            for (std::size_t i = 0; i < asked.steps.size() && next != runs[c].answers.end(); ++i, ++next)
+            for (std::size_t i = 0; i < asked.steps.size() && next != runs[c]->answers.end(); ++i, ++next)
                 if (answered.answers.empty() || !Answered::stopped(*answered.answers.back()))
                     answered.answers.push_back(&*next);
             all.push_back(answered);
@@ -49,6 +49,7 @@ Outcome foundIn(const StepAnswer& answer) {
     outcome.state = answer.state;
     outcome.returned = answer.returned;
     outcome.stop = answer.stop;
+    outcome.pixels.reserve(answer.pixels.size() / 3);
     for (std::size_t i = 0; i + 2 < answer.pixels.size(); i += 3)
         outcome.pixels.push_back(answer.pixels[i] * 65536.0 + answer.pixels[i + 1] * 256.0 + answer.pixels[i + 2]);
     return outcome;
@@ -74,6 +75,7 @@ void follow(const Answered& answered, const Computation& computation, const Visi
         situations.push_back({pair.before, step, *answered.answers[i], i ? &situations.back() : nullptr});
         pair.computed = computation(situations.back());
         if (!visit(i, pair)) return;
+        pair.found = {};  // the next step needs what was computed alone
     }
 }
 
@@ -233,7 +235,8 @@ bool agrees(double found, double expected, double slack) {
     return std::abs(found - expected) <= slack;
 }
 
-StageVerdict judge(const Stage& stage, const std::vector<Check>& checks, const std::vector<CheckRun>& runs) {
+StageVerdict judge(const Stage& stage, const std::vector<const Check*>& checks,
+                   const std::vector<const CheckRun*>& runs) {
     RADLAB_CHECK(checks.size() == runs.size());
     const std::vector<Answered> cases = casesOf(checks, runs);
     const std::vector<Computation> ways = stage.right();
@@ -247,7 +250,7 @@ StageVerdict judge(const Stage& stage, const std::vector<Check>& checks, const s
     }
     StageVerdict verdict;
     for (std::size_t c = 0; c < checks.size(); ++c)
-        verdict.checks.push_back(verdictOf(stage, c, runs[c], cases, differences));
+        verdict.checks.push_back(verdictOf(stage, c, *runs[c], cases, differences));
     const bool started = std::any_of(verdict.checks.begin(), verdict.checks.end(),
                                      [](const CheckVerdict& c) { return c.status != Status::notStarted; });
     if (!started || countWrong(differences) == 0) return verdict;

@@ -32,7 +32,8 @@ struct StageVerdict {
 /// mistake that agrees with every case is named; where none does, what the stage's fit finds.
 /// @pre   runs are those of the checks, in their order
 /// @cost  one computation of all cases for each right way, and where something fails, at most one for each mistake
-StageVerdict judge(const Stage& stage, const std::vector<Check>& checks, const std::vector<CheckRun>& runs);
+StageVerdict judge(const Stage& stage, const std::vector<const Check*>& checks,
+                   const std::vector<const CheckRun*>& runs);
 
 /// Whether two numbers are the same up to slack; those that are not finite only if both are the same.
 bool agrees(double found, double expected, double slack);

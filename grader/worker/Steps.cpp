@@ -12,7 +12,7 @@
 
 namespace radlab::grader {
 
-StepAnswer Steps::perform(const Step& step) {
+StepAnswer Steps::perform(Step& step) {
     StepAnswer answer;
     try {
         prepare(step);
@@ -32,15 +32,20 @@ StepAnswer Steps::perform(const Step& step) {
         answer.stop = {Stop::Kind::exception, "something that is no std::exception"};
     }
     if (hemicube) answer.calls = hemicube->calls;
-    answer.state.patches = mesh.patches;
-    answer.state.corners = mesh.corners;
+    answer.state.patches = std::move(mesh.patches);
+    answer.state.corners = std::move(mesh.corners);
     return answer;
 }
 
-void Steps::prepare(const Step& step) {
+void Steps::takeBack(StepAnswer& answer) {
+    mesh.patches = std::move(answer.state.patches);
+    mesh.corners = std::move(answer.state.corners);
+}
+
+void Steps::prepare(Step& step) {
     if (step.state) {
-        mesh.patches = step.state->patches;
-        mesh.corners = step.state->corners;
+        mesh.patches = std::move(step.state->patches);
+        mesh.corners = std::move(step.state->corners);
     }
     for (std::size_t i = 0; i < step.unshot.size() && i < mesh.patches.size(); ++i)
         mesh.patches[i].unshot_rad = step.unshot[i];

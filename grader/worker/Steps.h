@@ -20,11 +20,14 @@ public:
 
     /// Prepares the state, calls the function, and says what is left.
     ///
-    /// What the function throws ends up in the answer.
-    StepAnswer perform(const Step& step);
+    /// What the function throws ends up in the answer. The step's state is moved out of it, and the one that is left into the answer.
+    StepAnswer perform(Step& step);
+
+    /// Moves the state back, for the next step.
+    void takeBack(StepAnswer& answer);
 
 private:
-    void prepare(const Step& step);
+    void prepare(Step& step);
     void call(const Step& step, StepAnswer& answer);
     void draw(const Step& step, StepAnswer& answer);
     void solve(const Step& step, StepAnswer& answer);

@@ -23,6 +23,7 @@ using namespace radlab::grader;
 namespace {
 
 constexpr int answers = 3;
+constexpr std::size_t roomForRequest = std::size_t{32} << 20;
 
 // False where the judge cannot be reached any more.
 bool send(const std::string& record) {
@@ -37,6 +38,7 @@ bool send(const std::string& record) {
 
 std::string received() {
     std::string bytes;
+    bytes.reserve(roomForRequest);  // only what is used of it costs anything
     std::array<char, 1 << 16> block;
     for (ssize_t got; (got = read(STDIN_FILENO, block.data(), block.size())) > 0;)
         bytes.append(block.data(), static_cast<std::size_t>(got));
@@ -50,15 +52,23 @@ void flush() {
     std::fflush(nullptr);
 }
 
-void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, const Request& request) {
+// At once: nothing of the submission runs any more, and nobody waits for OpenGL to be taken down piece by piece.
+[[noreturn]] void finish(int code) {
+    flush();
+    _exit(code);
+}
+
+void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, Request request) {
     try {
         Submission submission(library);
         Steps steps(submission, std::move(openGl));
         for (std::size_t i = 0; i < request.steps.size(); ++i) {
-            const StepAnswer answer = steps.perform(request.steps[i]);
+            StepAnswer answer = steps.perform(request.steps[i]);
             flush();
-            if (!send(toRecord(answer, request.nonce, i, request.steps[i].wanted))) return;
+            if (!send(toRecord(answer, request.nonce, i, request.steps[i].wanted))) break;
+            steps.takeBack(answer);
         }
+        finish(0);
     } catch (const radlab::Error& error) {
         StepAnswer answer;
         answer.stop = {Stop::Kind::load, error.what()};
@@ -72,11 +82,9 @@ void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, c
         answerAll(library, std::move(openGl), requestFromCbor(received()));
     } catch (const std::exception& exception) {
         std::cerr << "worker: " << exception.what() << '\n';
-        flush();
-        _exit(3);
+        finish(3);
     }
-    flush();
-    _exit(0);  // nothing of the submission runs once all is answered
+    finish(0);
 }
 
 }  // namespace
