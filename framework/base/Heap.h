@@ -8,4 +8,9 @@ namespace radlab {
 /// be told so, nothing happens.
 void keepFreedMemory();
 
+/// Gives the system what this process has freed so far, and joins what lies side by side.
+///
+/// For programs before they fork: what is not there need not be copied.
+void giveBackFreedMemory();
+
 }  // namespace radlab

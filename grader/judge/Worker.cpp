@@ -1,5 +1,6 @@
 #include "grader/judge/Worker.h"
 
+#include <algorithm>
 #include <csignal>
 #include <random>
 
@@ -17,7 +18,8 @@ std::uint64_t newNonce() {
     return (static_cast<std::uint64_t>(source()) << 32) | source();
 }
 
-Command workerCommand(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest) {
+Command workerCommand(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest,
+                      bool drawing) {
     Command command;
     Box& box = command.box.emplace(toolchain.sandbox);
     box.calls = Calls::server;
@@ -25,7 +27,7 @@ Command workerCommand(const std::filesystem::path& library, const Toolchain& too
     box.processFiles = toolchain.sanitized;
     const std::filesystem::path worker = box.show(readableByAll(toolchain.worker, box.sandbox), "/judge/worker");
     const std::filesystem::path submission = box.show(library, "/submission/submission.so");
-    command.arguments = {worker.string(), submission.string()};
+    command.arguments = {worker.string(), drawing ? "drawing" : "plain", submission.string()};
     // No threads in the software renderer: as many processes as there are cores run already.
     for (const char* setting :
          {"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true",
@@ -69,10 +71,12 @@ std::string causeOf(const Ended& ended, const std::string& function, double seco
 
 Worker::Worker(const std::filesystem::path& library, const Toolchain& toolchain, const Manifest& manifest)
     : slower(toolchain.sanitized ? slowdown : 1.0),
-      server(workerCommand(library, toolchain, manifest), limitsOf(toolchain, manifest)) {}
+      plain(workerCommand(library, toolchain, manifest, false), limitsOf(toolchain, manifest)),
+      drawing(workerCommand(library, toolchain, manifest, true), limitsOf(toolchain, manifest)) {}
 
 WorkerRun Worker::run(const std::vector<Step>& steps, double seconds) {
     const std::uint64_t nonce = newNonce();
+    ForkServer& server = std::any_of(steps.begin(), steps.end(), draws) ? drawing : plain;
     const Ended ended = server.run(requestToCbor(nonce, steps), seconds * slower);
     WorkerRun made;
     made.run.answers = answersFromRecords(ended.answer, nonce, steps);

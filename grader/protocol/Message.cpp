@@ -196,6 +196,11 @@ std::vector<std::string> memberNames() {
     return names;
 }
 
+bool draws(const Step& step) {
+    return step.function == "renderPatchIDs" || step.function == "calcFF" ||
+           (step.function == "solve" && !step.analytic);
+}
+
 std::string requestToCbor(std::uint64_t nonce, const std::vector<Step>& steps) {
     Json list = Json::array();
     for (const Step& step : steps) list.push_back(stepToJson(step));

@@ -27,6 +27,9 @@ struct Step {
     std::vector<std::string> wanted;  ///< the members that the answer brings: "patch.formF", "corner.color"
 };
 
+/// Whether a step needs OpenGL.
+bool draws(const Step& step);
+
 /// A judge's request to a worker.
 struct Request {
     std::uint64_t nonce = 0;  ///< comes back in every answer

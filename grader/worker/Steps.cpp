@@ -54,9 +54,8 @@ void Steps::prepare(Step& step) {
         submission.standIn(patchAt(step.shooter));
     else
         submission.standAside();
-    const bool solvesByHemicube = step.function == "solve" && !step.analytic;
-    if (step.function == "renderPatchIDs" || step.function == "calcFF" || solvesByHemicube) startOpenGl();
-    if (step.function == "calcFF" || solvesByHemicube) prepareHemicube(step);
+    if (draws(step)) startOpenGl();
+    if (draws(step) && step.function != "renderPatchIDs") prepareHemicube(step);
     if (hemicube) hemicube->calls.clear();
 }
 

@@ -1,11 +1,13 @@
 // Loads a submission, performs the steps of a request and answers; started by the judge, which alone knows what is right.
 //
-//   worker LIBRARY: forks for each request; it comes on standard input, and the answers go to file descriptor 3.
+//   worker plain|drawing LIBRARY: forks for each request; it comes on standard input, and the answers go to file
+//   descriptor 3. One that draws has OpenGL loaded before it forks.
 
 #include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -90,9 +92,11 @@ void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, R
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count != 2) return 2;
+    if (count != 3) return 2;
     radlab::keepFreedMemory();
-    std::unique_ptr<radlab::GlContext> openGl = warmOpenGl();
-    serveForks([&] { work(arguments[1], std::move(openGl)); });
+    std::unique_ptr<radlab::GlContext> openGl;
+    if (std::strcmp(arguments[1], "drawing") == 0) openGl = warmOpenGl();
+    radlab::giveBackFreedMemory();
+    serveForks([&] { work(arguments[2], std::move(openGl)); });
     return 0;
 }
