@@ -10,6 +10,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 option(RADLAB_WERROR "Treat warnings in radlab's own code as errors" OFF)
+option(RADLAB_PRECOMPILE "Compile what nearly every file includes once" ON)
 option(RADLAB_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 
 add_library(radlab_options INTERFACE)
@@ -28,7 +29,8 @@ else()
   set(RADLAB_WERROR_FLAG -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13
       AND NOT CMAKE_CXX_CLANG_TIDY)
-    target_compile_options(radlab_options INTERFACE -Wno-restrict)  # false alarms on std::string + (GCC bug 105651)
+    # False alarms on std::string + (GCC bug 105651).
+    target_compile_options(radlab_options INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
   endif()
 endif()
 if(RADLAB_WERROR)

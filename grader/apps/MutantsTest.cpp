@@ -14,27 +14,40 @@ namespace {
 
 constexpr std::size_t spread = 23;  // every twenty-third
 
-Result judged(const Mutant& mutant, std::uint64_t seed) {
+// One judge for all, so that what is right is found once.
+class MutantJudge {
+public:
+    MutantJudge() { manifest.seconds = 20.0; }
+
+    Result judged(const Mutant& mutant) {
+        const test::Folder folder;
+        writeFile(folder / "ProgRef.cpp", mutant.source);
+        compileSubmission(folder / "ProgRef.cpp", folder / "submission.so", toolchain, manifest);
+        return judge.judge(folder / "submission.so");
+    }
+
+private:
+    static JudgeOptions options() {
+        JudgeOptions chosen;
+        chosen.seed = 1000;
+        return chosen;
+    }
+
     const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
     Manifest manifest = readManifest(manifestFile());
-    manifest.seconds = 20.0;
-    const test::Folder folder;
-    writeFile(folder / "ProgRef.cpp", mutant.source);
-    compileSubmission(folder / "ProgRef.cpp", folder / "submission.so", toolchain, manifest);
-    JudgeOptions options;
-    options.seed = seed;
-    return Judge(manifest, toolchain, options).judge(folder / "submission.so");
-}
+    Judge judge{manifest, toolchain, options()};
+};
 
 }  // namespace
 
 TEST_CASE("wrong programs lose marks in the stage that is wrong alone, and right programs lose none") {
     const std::vector<Mutant> mutants = projectMutants();
+    MutantJudge judge;
     for (std::size_t i = 0; i < mutants.size(); i += spread) {
         const Mutant& mutant = mutants[i];
         const std::string which = mutant.stage + " " + mutant.id;
         CAPTURE(which);
-        const Result result = judged(mutant, 1000 + i);
+        const Result result = judge.judged(mutant);
         std::string name;
         for (const StageResult& stage : result.stages) {
             CHECK(stage.status != Status::error);

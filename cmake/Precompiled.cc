@@ -1,0 +1,1 @@
+// Nothing: a target to precompile headers for needs a file.
