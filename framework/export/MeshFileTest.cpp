@@ -129,7 +129,7 @@ TEST_CASE("colours are exposure times radiance, and vertices are shared where th
 
 TEST_CASE("more than 65,535 vertices of a material have indices of 32 bits") {
     const test::Folder folder;
-    const Solved solved(true, 10.0);
+    const Solved solved(true, 4.0);
     writeMesh(folder / "box.glb", solved.mesh);
     const Glb glb(readFile(folder / "box.glb"));
     bool both[2] = {};
