@@ -2,6 +2,20 @@
 # Tests of the program render as its user sees it: RenderTest.sh PROGRAM PROJECT CLAIM
 . "$(dirname "$0")/ProgramTest.sh"
 
+# Starts the program, and presses Ctrl-C once it has read the scene and says so. In a shell's background SIGINT is
+# ignored, which a program that is started by env can undo.
+interrupted() {
+    env --default-signal=INT "$program" "$@" >out 2>err </dev/null &
+    child=$!
+    until grep -q '^indirect\|patches of size' out; do
+        kill -0 $child 2>/dev/null || break
+        sleep 0.1
+    done
+    kill -INT $child
+    code=0
+    wait $child || code=$?
+}
+
 case $claim in
     "in the furnace every patch shines as E/(1-rho), whole or cut, with one channel solved")
         for size in 10 0.3; do
@@ -116,6 +130,39 @@ case $claim in
         run absent.x3d -o box.png
         exits 2
         says err 'absent.x3d'
+        [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
+        ;;
+    "every scene is written as glTF that the validator of Khronos finds nothing wrong with, and as PLY")
+        command -v node >/dev/null && command -v npm >/dev/null || { echo "-- skipped: no node or no npm here"; exit 0; }
+        npm install --prefix modules --no-audit --no-fund gltf-validator@2.0.0-dev.3.10 >npm.log 2>&1 ||
+            { echo "-- skipped: gltf-validator cannot be had: $(tail -1 npm.log)"; exit 0; }
+        for scene in "$project"/resources/scenes/*.x3d; do
+            name=$(basename "$scene" .x3d)
+            run "$scene" --shots 8 --method polygon --width 32 --height 32 -o "$name.glb" -o "$name.gltf" -o "$name.ply" \
+                -o "$name.png"
+            exits 0
+            [ "$(head -c 3 "$name.ply")" = ply ] || wrong "no PLY"
+        done
+        node "$project/cmake/checks/validate-gltf.js" "$work/modules/node_modules" ./*.glb ./*.gltf || wrong "invalid glTF"
+        ;;
+    "Ctrl-C ends shooting with a whole picture and mesh of the light shot so far, and exit code 130")
+        # The light is never all shot: without Ctrl-C this would take hours.
+        interrupted "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
+            --rays 100000 --width 32 --height 32 -o box.png -o box.glb
+        exits 130
+        says out ' of the light unshot'
+        says out 'stopped by Ctrl-C'
+        [ "$(head -c 4 box.png | tail -c 3)" = PNG ] || wrong "no PNG"
+        [ "$(head -c 4 box.glb)" = glTF ] || wrong "no glTF"
+        length=$(od -An -tu4 -j8 -N4 box.glb)
+        [ "$((length))" = "$(($(wc -c <box.glb)))" ] || wrong "the glTF is not whole"
+        [ -z "$(ls | grep part)" ] || wrong "left behind: $(ls)"
+        ;;
+    "Ctrl-C ends form factors with exit code 130 and leaves no file")
+        interrupted "$project/resources/scenes/cornell_2.x3d" --patch-size 20 --method hemisphere --rays 1000000 \
+            -o box.png -o box.ply
+        exits 130
+        says err 'interrupted: nothing'
         [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
         ;;
     *) wrong "no such claim" ;;

@@ -1,10 +1,12 @@
 #include "apps/RenderPicture.h"
 
+#include <atomic>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
 #include "base/ImageFile.h"
+#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "display/ToneMap.h"
@@ -30,11 +32,15 @@ Frame frameOf(const PictureFlags& flags, const Scene& scene) {
 }  // namespace
 
 void addPictureFlags(CLI::App& app, PictureFlags& flags) {
-    app.add_option("-o,--out", flags.file, "The picture: .png, or .hdr with linear radiance");
+    app.add_option("-o,--out", flags.files,
+                   "What to write, by its ending: .png, .hdr with linear radiance; or the solved mesh: .glb or .gltf "
+                   "(glTF 2.0), .ply; repeatable")
+        ->allow_extra_args(false);
     app.add_option("--width", flags.width, "Pixels")->capture_default_str()->check(CLI::Range(1, 8192));
     app.add_option("--height", flags.height, "Pixels")->capture_default_str()->check(CLI::Range(1, 8192));
     app.add_option("--camera", flags.camera, "Which of the scene's viewpoints, the first is 0")->capture_default_str();
-    app.add_option("--exposure", flags.exposure, "Display value per radiance, of a PNG; else chosen by the picture")
+    app.add_option("--exposure", flags.exposure,
+                   "Display value per radiance, of a PNG or a mesh; else chosen by the picture")
         ->check(CLI::PositiveNumber);
     app.add_flag("--flat", flags.flat, "One colour a patch, not smooth from vertex to vertex");
     app.add_option("--antialias", flags.antialias, "Samples along each edge of a pixel that shows an edge; 1: off")
@@ -48,13 +54,16 @@ void requireCamera(const PictureFlags& flags, const Scene& scene) {
                     std::to_string(flags.camera) + " (the first is 0)");
 }
 
-RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution) {
-    const TracedScene scene(input.geometry, input.scatterings);
+PatchShading shadingOf(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution) {
     std::vector<Point> radiosity = solution.radiosity;
     addAmbient(radiosity, solution.surfaces, solution.ambient);
-    const PatchShading shading = flags.flat || !input.effects.has(Effect::smooth)
-                                     ? PatchShading(radiosity)
-                                     : PatchShading(*input.mesh, input.geometry, radiosity);
+    return flags.flat || !input.effects.has(Effect::smooth) ? PatchShading(radiosity)
+                                                            : PatchShading(*input.mesh, input.geometry, radiosity);
+}
+
+RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution) {
+    const TracedScene scene(input.geometry, input.scatterings);
+    const PatchShading shading = shadingOf(flags, input, solution);
     PictureOptions options;
     options.samplesPerEdge = input.effects.has(Effect::antialias) ? flags.antialias : 1;
     RenderPicture picture;
@@ -70,21 +79,32 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
 RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std::size_t samples) {
     const Stopwatch watch;
     const TracedScene scene(input.geometry, input.scatterings);
-    ProgressBar bar("path tracing", static_cast<double>(tilesOf(flags.width, flags.height)), "tiles");
+    const std::size_t all = tilesOf(flags.width, flags.height);
+    std::atomic<std::size_t> done{all};
+    ProgressBar bar("path tracing", static_cast<double>(all), "tiles");
     RenderPicture picture;
-    picture.radiance = pathTracePicture(scene, frameOf(flags, input.scene), samples,
-                                        [&](std::size_t tiles) { bar.show(static_cast<double>(tiles)); });
+    picture.radiance = pathTracePicture(scene, frameOf(flags, input.scene), samples, [&](std::size_t tiles) {
+        if (Interrupts::caught()) done = tiles;
+        Interrupts::check();
+        bar.show(static_cast<double>(tiles));
+    });
     char text[200];
     std::snprintf(text, sizeof text, "picture: path tracing, %zu paths a pixel, %zu rays, %.3g s", samples,
                   scene.rays(), watch.seconds());
     picture.summary = text;
+    if (done < all)
+        picture.summary += "; the picture is black but for " + std::to_string(done) + " of " + std::to_string(all) +
+                           " tiles, where Ctrl-C stopped it";
     return picture;
 }
 
-void writePicture(const PictureFlags& flags, const Image& radiance) {
-    if (std::filesystem::path(flags.file).extension() == ".hdr") return writeImage(flags.file, radiance);
-    const float exposure = flags.exposure > 0.0 ? static_cast<float>(flags.exposure) : autoExposure(radiance);
-    writeImage(flags.file, toneMap(radiance, exposure));
+float exposureOf(const PictureFlags& flags, const Image& radiance) {
+    return flags.exposure > 0.0 ? static_cast<float>(flags.exposure) : autoExposure(radiance);
+}
+
+void writePicture(const std::string& file, const PictureFlags& flags, const Image& radiance) {
+    if (std::filesystem::path(file).extension() == ".hdr") return writeImage(file, radiance);
+    writeImage(file, toneMap(radiance, exposureOf(flags, radiance)));
 }
 
 }  // namespace radlab

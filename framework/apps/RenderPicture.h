@@ -10,7 +10,7 @@ namespace radlab {
 
 /// How a program was told to draw its picture.
 struct PictureFlags {
-    std::string file;  ///< empty: none
+    std::vector<std::string> files;  ///< pictures, and what else a program writes by the ending
     std::size_t camera = 0;
     int width = 800, height = 800;
     bool flat = false;
@@ -37,7 +37,13 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
 /// The picture by so many random walks a pixel, with a progress bar.
 RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std::size_t samples);
 
+/// How a solution is shaded: smooth where the scene and the flags have it so, with what is still under way.
+engine::PatchShading shadingOf(const PictureFlags& flags, const SceneInput& input, const RenderSolution& solution);
+
+/// Display value per radiance: that of the flags, or one that suits the picture.
+float exposureOf(const PictureFlags& flags, const Image& radiance);
+
 /// Writes a picture, tone mapped unless its file is one of radiances (.hdr).
-void writePicture(const PictureFlags& flags, const Image& radiance);
+void writePicture(const std::string& file, const PictureFlags& flags, const Image& radiance);
 
 }  // namespace radlab

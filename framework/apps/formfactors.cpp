@@ -4,6 +4,7 @@
 
 #include "apps/CommandLine.h"
 #include "apps/FormFactorRun.h"
+#include "base/Interrupts.h"
 #include "engine/ExchangeArea.h"
 #include "engine/MatrixFile.h"
 
@@ -28,6 +29,7 @@ std::string describeRun(const FormFactorReport& report, const Effects& effects) 
 }
 
 int formFactorTable(const Flags& flags) {
+    const Interrupts interrupts;
     requireMatrixFile(flags.out);
     FormFactorOptions options = optionsOf(flags.formFactors);
     if (flags.tolerance > 0.0)

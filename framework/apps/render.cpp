@@ -1,16 +1,18 @@
 // A scene solved by the engine: its picture, and the radiosity of every patch.
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "apps/CommandLine.h"
 #include "apps/FormFactorRun.h"
-#include "apps/RenderPicture.h"
+#include "apps/RenderMesh.h"
 #include "apps/RenderTable.h"
 #include "apps/RenderToError.h"
 #include "apps/RenderWays.h"
-#include "base/ImageFile.h"
+#include "base/Interrupts.h"
 #include "base/Warning.h"
+#include "export/MeshFile.h"
 
 namespace {
 
@@ -27,9 +29,19 @@ struct Flags {
 
     bool byPaths() const { return formFactors.method == "path"; }
     bool byLinks() const { return formFactors.method == "links"; }
+    bool wantsMesh() const { return std::any_of(picture.files.begin(), picture.files.end(), isMeshFile); }
+    bool wantsPicture() const { return !std::all_of(picture.files.begin(), picture.files.end(), isMeshFile); }
 };
 
 constexpr std::size_t usualSamples = 64;
+
+void requireFile(const std::string& file) {
+    if (isMeshFile(file)) return;
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending != ".png" && ending != ".hdr")
+        throw Error({file}, "unknown kind of file: found the ending '" + ending +
+                                "', expected .png or .hdr for a picture, .glb, .gltf or .ply for a mesh");
+}
 
 // What is wrong with the flags, before any work.
 void check(const Flags& flags) {
@@ -41,9 +53,9 @@ void check(const Flags& flags) {
                     ", expected none with it, as the way is chosen by the error");
     if (flags.samples > 0 && !flags.byPaths())
         throw Error("--samples: found method '" + flags.formFactors.method + "', expected --method path with it");
-    if (!flags.picture.file.empty()) requireImageFile(flags.picture.file);
-    if (flags.picture.file.empty() && flags.table.empty())
-        throw Error("nothing to write: expected -o image.png (or .hdr), --csv patches.csv, or both");
+    for (const std::string& file : flags.picture.files) requireFile(file);
+    if (flags.picture.files.empty() && flags.table.empty())
+        throw Error("nothing to write: expected -o image.png (or .hdr, .glb, .gltf, .ply), --csv patches.csv, or both");
 }
 
 RenderSolution solve(const Flags& flags, SceneInput& input) {
@@ -54,32 +66,54 @@ RenderSolution solve(const Flags& flags, SceneInput& input) {
     return solveByFormFactors(input, optionsOf(flags.formFactors));
 }
 
+void writeMeshes(const Flags& flags, const SceneInput& input, const RenderSolution& solution, const Image& radiance) {
+    for (const std::string& file : flags.picture.files)
+        if (isMeshFile(file)) writeSolution(file, flags.picture, input, solution, radiance);
+}
+
+void writePictures(const Flags& flags, const Image& radiance) {
+    for (const std::string& file : flags.picture.files)
+        if (!isMeshFile(file)) writePicture(file, flags.picture, radiance);
+}
+
 void renderRadiosities(const Flags& flags, SceneInput& input) {
     const RenderSolution solution = solve(flags, input);
     std::cout << solution.summary << std::endl;
     if (!flags.table.empty()) writeTable(flags.table, input, solution);
-    if (flags.picture.file.empty()) return;
+    if (flags.picture.files.empty()) return;
     const RenderPicture picture = drawSolution(flags.picture, input, solution);
     std::cout << picture.summary << '\n';
-    writePicture(flags.picture, picture.radiance);
+    writeMeshes(flags, input, solution, picture.radiance);
+    writePictures(flags, picture.radiance);
 }
 
 void renderByPaths(const Flags& flags, const SceneInput& input) {
     const std::size_t samples = flags.samples > 0 ? flags.samples : usualSamples;
-    if (!flags.table.empty()) {
+    if (!flags.table.empty() || flags.wantsMesh()) {
         const RenderSolution solution = solveByPaths(input, samples);
         std::cout << solution.summary << std::endl;
-        writeTable(flags.table, input, solution);
+        if (!flags.table.empty()) writeTable(flags.table, input, solution);
+        if (flags.wantsMesh())
+            writeMeshes(flags, input, solution, drawSolution(flags.picture, input, solution).radiance);
     }
-    if (flags.picture.file.empty()) return;
+    if (!flags.wantsPicture()) return;
     const RenderPicture picture = drawPaths(flags.picture, input, samples);
     std::cout << picture.summary << '\n';
-    writePicture(flags.picture, picture.radiance);
+    writePictures(flags, picture.radiance);
+}
+
+// The code to end with: that of Ctrl-C where it cut the work short.
+int tellEnd() {
+    if (!Interrupts::caught()) return 0;
+    std::cout << "stopped by Ctrl-C: what is written is whole, and as far as the lines above say\n";
+    return 130;
 }
 
 int render(const Flags& flags) {
+    const Interrupts interrupts;
     check(flags);
     SceneInput input = readSceneInput(flags.scene);
+    Interrupts::check();
     requireCamera(flags.picture, input.scene);
     std::cout << input.summary << '\n' << describe(input.effects, Effect::occlusion) << std::endl;
     if (std::none_of(input.mesh->patches.begin(), input.mesh->patches.end(),
@@ -89,9 +123,9 @@ int render(const Flags& flags) {
         renderByPaths(flags, input);
     else
         renderRadiosities(flags, input);
-    for (const std::string& file : {flags.picture.file, flags.table})
-        if (!file.empty()) std::cout << "written: " << file << '\n';
-    return 0;
+    for (const std::string& file : flags.picture.files) std::cout << "written: " << file << '\n';
+    if (!flags.table.empty()) std::cout << "written: " << flags.table << '\n';
+    return tellEnd();
 }
 
 void describe(CLI::App& app, Flags& flags) {

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 
 namespace radlab {
 
@@ -13,6 +14,9 @@ int runProgram(const std::function<int()>& body) {
     } catch (const Error& error) {
         std::cerr << "error: " << error.what() << '\n';
         return 2;
+    } catch (const Interrupted&) {
+        std::cerr << "interrupted: nothing that is worth keeping was made yet, so nothing was written\n";
+        return 130;
     } catch (const NotImplemented& stub) {
         std::cerr << "not started: " << stub.what() << "; write it in exercises/ProgRef.cpp\n";
         return 2;

@@ -1,6 +1,10 @@
 #include "base/WholeFile.h"
 
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <random>
 
@@ -17,16 +21,36 @@ std::filesystem::path nameBeside(const std::filesystem::path& file) {
     return file.string() + "." + std::to_string(random()) + ".part";
 }
 
+// Names of files that are being written, where a signal handler can read them.
+struct PartName {
+    std::atomic<bool> taken{false}, ready{false};
+    std::array<char, 4096> text{};
+};
+std::array<PartName, 16> partNames;
+
+// The place that the name got; nothing where there is none, and the file then outlives a process that is ended.
+PartName* remember(const std::string& name) {
+    for (PartName& place : partNames) {
+        if (name.size() >= place.text.size() || place.taken.exchange(true)) continue;
+        std::memcpy(place.text.data(), name.c_str(), name.size() + 1);
+        place.ready = true;
+        return &place;
+    }
+    return nullptr;
+}
+
 // A new file beside the one to write; gone again unless it was renamed.
 struct PartFile {
-    explicit PartFile(const std::filesystem::path& file) : path(nameBeside(file)) {}
+    explicit PartFile(const std::filesystem::path& file) : path(nameBeside(file)), name(remember(path.string())) {}
     ~PartFile() {
         std::error_code ignored;
         std::filesystem::remove(path, ignored);
+        if (name) name->taken = name->ready = false;
     }
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
     const std::filesystem::path path;
+    PartName* const name;
 };
 
 }  // namespace
@@ -46,6 +70,11 @@ void writeFile(const std::filesystem::path& file, const std::function<void(std::
     std::error_code failure;
     std::filesystem::rename(part.path, file, failure);
     if (failure) throw Error({file.string()}, "cannot be written: " + failure.message());
+}
+
+void removePartFiles() noexcept {
+    for (PartName& place : partNames)
+        if (place.ready) std::remove(place.text.data());
 }
 
 std::string readFile(const std::filesystem::path& file) {

@@ -18,6 +18,9 @@ void writeFile(const std::filesystem::path& file, std::string_view contents);
 /// Where it throws, nothing is written and the older file is left as it was.
 void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
+/// Removes what writeFile has begun and not ended; for signal handlers that end the process.
+void removePartFiles() noexcept;
+
 /// The contents of a file.
 ///
 /// Errors: no such file, a folder, a file that cannot be read or is larger than 1 GiB.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/Error.h"
@@ -15,6 +16,7 @@ struct Material {
     Vec3f specular{0.0f};       ///< mirror reflectance, 0 to 1 per channel
     float shininess = 0.2f;     ///< 0 to 1, as in X3D
     float transparency = 0.0f;  ///< 0 opaque to 1 clear
+    std::string name;           ///< empty: none
 
     bool emits() const { return emissive.r > 0 || emissive.g > 0 || emissive.b > 0; }
 };

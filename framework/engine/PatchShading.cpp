@@ -71,13 +71,17 @@ PatchShading::PatchShading(const PatchMesh& mesh, const Geometry& geometry, std:
 }
 
 Point PatchShading::radiosityAt(std::size_t patch, const Point& point) const {
-    if (!shapes || cornersOf[patch][0] == flat) return ofPatches[patch];
+    if (!isSmooth(patch)) return ofPatches[patch];
     const Polygon& shape = (*shapes)[patch];
     const std::array<double, 4> weights = cornerWeights(shape, point);
     Point mean(0.0);
     for (std::size_t k = 0; k < shape.corners.size(); ++k)
         mean += weights[k] * ofCorners[static_cast<std::size_t>(cornersOf[patch][k])];
     return mean;
+}
+
+Point PatchShading::radiosityAtCorner(std::size_t patch, std::size_t corner) const {
+    return isSmooth(patch) ? ofCorners[static_cast<std::size_t>(cornersOf[patch][corner])] : ofPatches[patch];
 }
 
 }  // namespace radlab::engine

@@ -32,6 +32,12 @@ public:
 
     Point radiosityAt(std::size_t patch, const Point& point) const;
 
+    /// The radiosity at a corner of a patch, counted in the order of its corners.
+    Point radiosityAtCorner(std::size_t patch, std::size_t corner) const;
+
+    /// Whether a patch goes over smoothly into others.
+    bool isSmooth(std::size_t patch) const { return shapes && cornersOf[patch][0] != flat; }
+
     /// How many patches are not flat.
     std::size_t smoothPatches() const { return smooth; }
 

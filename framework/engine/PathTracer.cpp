@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "engine/LowDiscrepancy.h"
 #include "engine/PathWalk.h"
 
@@ -68,7 +69,7 @@ Image pathTracePicture(const TracedScene& scene, const Frame& frame, std::size_t
     const PathWalk walk(scene, false);
     const CameraRays camera(frame);
     Image image(frame.width, frame.height);
-    forAllPixels(frame.width, frame.height, progress, [&](int x, int y) {
+    const auto trace = [&](int x, int y) {
         const auto key =
             static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(frame.width) + static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(key);
@@ -79,7 +80,8 @@ Image pathTracePicture(const TracedScene& scene, const Frame& frame, std::size_t
             sum += walk.radiance(camera.eye(), camera.direction(x + at[0], y + at[1]), frame.background, random);
         }
         image.at(x, y) = glm::vec3(sum / static_cast<double>(samples));
-    });
+    };
+    doneWhole([&] { forAllPixels(frame.width, frame.height, progress, trace); });
     return image;
 }
 

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/Stopwatch.h"
 
 namespace radlab::engine {
@@ -82,6 +83,10 @@ private:
     bool indirect;
 };
 
+bool goesOn(const ShootingOptions& options, std::size_t shots, double unshot) {
+    return !options.progress || doneWhole([&] { options.progress(shots, unshot); });
+}
+
 }  // namespace
 
 std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfaces& surfaces, const RowFunction& row,
@@ -104,7 +109,7 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
             throw Error(
                 "the light grows from shot to shot, since form factors add up to more than 1: expected smaller "
                 "patches, smaller reflectances, or another method");
-        if (options.progress) options.progress(shots, left / shooter.emitted);
+        if (!goesOn(options, shots, left / shooter.emitted)) break;
     }
     const double share = shooter.emitted > 0.0 ? left / shooter.emitted : 0.0;
     if (report) *report = {shots, share, shooter.ambient(), watch.seconds()};

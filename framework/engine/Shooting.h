@@ -13,7 +13,8 @@ struct ShootingOptions {
     std::size_t mostShots = static_cast<std::size_t>(-1);
     /// What a shooter exchanges with patches beside its form factors, such as light over mirrors; nothing where empty.
     std::function<std::vector<PatchExchange>(std::size_t shooter)> further = {};
-    std::function<void(std::size_t shots, double unshot)> progress;  ///< told after every few shots
+    std::function<void(std::size_t shots, double unshot)>
+        progress;  ///< told after every few shots; what is shot is kept where it throws Interrupted
 };
 
 struct ShootingReport {

@@ -4,7 +4,7 @@
 
 #include "base/Error.h"
 #include "grader/batch/ClassProgress.h"
-#include "grader/batch/Interrupts.h"
+#include "base/Interrupts.h"
 
 namespace radlab::grader {
 

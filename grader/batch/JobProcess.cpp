@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "base/Error.h"
-#include "grader/batch/Interrupts.h"
+#include "base/Interrupts.h"
 #include "grader/protocol/PlainText.h"
 
 namespace radlab::grader {

@@ -8,7 +8,7 @@
 
 #include "base/Error.h"
 #include "base/ProgressBar.h"
-#include "grader/batch/Interrupts.h"
+#include "base/Interrupts.h"
 #include "grader/batch/JobProcess.h"
 
 namespace radlab::grader {

@@ -17,7 +17,7 @@
 #include "base/Error.h"
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
-#include "grader/batch/Interrupts.h"
+#include "base/Interrupts.h"
 #include "grader/batch/JobProcess.h"
 
 using namespace radlab;
@@ -229,7 +229,7 @@ TEST_CASE("a job finds nothing open that this process had open, and a group of i
 
 TEST_CASE("an interrupt ends the pool, and what runs then is killed") {
     const test::Folder folder;
-    const Interrupts interrupts;
+    const radlab::Interrupts interrupts;
     Told told;
     told.jobs = 10;
     told.rules.processes = 2;

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "grader/batch/Interrupts.h"
+#include "base/Interrupts.h"
 #include "grader/batch/SlurmFolder.h"
 #include "grader/sandbox/Process.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
-#include "grader/batch/Interrupts.h"
+#include "base/Interrupts.h"
 #include "grader/batch/SlurmFolder.h"
 #include "grader/sandbox/Process.h"
 
@@ -147,7 +147,7 @@ TEST_CASE("slurm: a result that a shared disk cut short is made again") {
 TEST_CASE("slurm: an interrupt cancels the job, and leaves what is not there for another run") {
     Cluster cluster;
     cluster.program("squeue", "echo RUNNING\n");
-    const Interrupts interrupts;
+    const radlab::Interrupts interrupts;
     std::raise(SIGTERM);
     CHECK(cluster.grade("ab").empty());
     CHECK(cluster.log("scancel.log") == "--name=radlab 401\n");
