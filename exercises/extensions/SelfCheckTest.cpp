@@ -14,6 +14,11 @@ struct Dark : PictureView {
     Vec3f display(const Vec3f& radiance) const override { return radiance; }
 };
 
+struct Nothing : MirrorPass {
+    bool showsMirror(int, int) const override { return true; }
+    radlab::Image draw(const glm::mat4&, const glm::vec4&, bool) const override { return radlab::Image(1, 1); }
+};
+
 }  // namespace
 
 TEST_CASE("every stub of the extensions says that it is not written yet, by its own name") {
@@ -22,7 +27,8 @@ TEST_CASE("every stub of the extensions says that it is not written yet, by its 
     radlab::Image picture(1, 1);
     const std::vector<std::pair<std::string, std::function<void()>>> stubs = {
         {"hemisphereFF", [&] { hemisphereFF(scene, 1, random); }},
-        {"antialias", [&] { antialias(Dark(), 1, picture); }}};
+        {"antialias", [&] { antialias(Dark(), 1, picture); }},
+        {"mirrorScene", [&] { mirrorScene(Nothing(), Vec3f(0.0f), Vec3f(1.0f), Vec3f(1.0f), picture); }}};
     for (const auto& [name, stub] : stubs) {
         const std::string function = name;
         CAPTURE(function);

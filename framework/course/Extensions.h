@@ -3,6 +3,7 @@
 // What the files of exercises/extensions need: further stages, which are judged like the six but are worth no marks.
 
 #include "base/Image.h"
+#include "course/MirrorPass.h"
 #include "course/PictureView.h"
 #include "course/ProgRef.h"
 #include "course/RandomNumbers.h"
@@ -36,3 +37,20 @@ MyPolygon* hemisphereFF(const RayCaster& scene, int rays, RandomNumbers& random)
 /// @cost  samples² calls of view.radiance a pixel
 /// @source [Whitted1980]
 void antialias(const PictureView& view, int samples, radlab::Image& picture);
+
+/// Extension 3. Adds to a picture what a planar mirror in it shows, by a second pass.
+///
+/// A mirror shows a second world behind its plane, as far behind it as the scene is in front. So the scene is drawn once more, carried
+/// into that world, for the same camera, and what came out is seen through the mirror as through a window. One reflection is followed: a
+/// mirror that is seen in a mirror stays as the first pass drew it.
+///
+/// @param pass         says where the mirror is seen, and draws the second picture
+/// @param point        of the mirror's plane
+/// @param normal       of the plane, to the side that reflects; of any length above 0
+/// @param reflectance  what share of the radiance is reflected, 0 to 1 per channel
+/// @param picture      radiance out of the first pass: what the mirror's own surface sends is in it already
+/// @post   pixels that show the mirror have reflectance times the radiance of the second picture added; all others are as they were
+/// @cost   one drawing of all patches
+/// @source [Whitted1980]
+void mirrorScene(const MirrorPass& pass, const Vec3f& point, const Vec3f& normal, const Vec3f& reflectance,
+                 radlab::Image& picture);

@@ -33,7 +33,7 @@ TEST_CASE("each extension has at least 12 wrong programs and 4 right ones, each 
         CHECK_MESSAGE(ids.insert(mutant.stage + "/" + mutant.id).second, mutant.id);
         CHECK_MESSAGE(sources.insert(mutant.source).second, mutant.id);
     }
-    for (const char* stage : {"hemisphereFF", "antialias"}) {
+    for (const char* stage : {"hemisphereFF", "antialias", "mirrorScene"}) {
         CHECK(wrong[stage] >= 12);
         CHECK(right[stage] >= 4);
     }

@@ -134,6 +134,7 @@ std::vector<Vec3f> vectorsFrom(const Json& json) {
 void addExtension(Json& json, const Step& step) {
     if (step.samples) json["samples"] = step.samples;
     if (step.seed) json["seed"] = step.seed;
+    if (!step.mirror.empty()) json["mirror"] = vectorsToJson(step.mirror);
     if (step.inFloats) json["inFloats"] = true;
 }
 
@@ -163,6 +164,7 @@ Step stepFromJson(const Json& json) {
     step.unshot = vectorsFrom(json.at("unshot"));
     step.samples = json.value("samples", 0);
     step.seed = json.value("seed", std::uint64_t{0});
+    if (json.contains("mirror")) step.mirror = vectorsFrom(json.at("mirror"));
     step.inFloats = json.value("inFloats", false);
     if (json.contains("state")) step.state = wholeStateFromJson(json.at("state"));
     return step;

@@ -25,6 +25,7 @@ struct Step {
     bool analytic = true;       ///< how "solve" finds form factors
     int shots = 0;              ///< how often "solve" shoots
     int samples = 0;            ///< of an extension: rays to send, or samples along each side of a pixel
+    std::vector<Vec3f> mirror;  ///< of an extension: point, normal and reflectance; the mirror is the patch `shooter`
     std::uint64_t seed = 0;     ///< of an extension's random numbers
     bool inFloats = false;      ///< the picture is one of floats, not of IDs
     std::vector<std::string> wanted;  ///< the members that the answer brings: "patch.formF", "corner.color"

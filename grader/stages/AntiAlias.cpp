@@ -7,6 +7,7 @@
 #include "display/RayView.h"
 #include "grader/stages/AntiAliasCases.h"
 #include "grader/stages/AntiAliasMistakes.h"
+#include "grader/stages/PicturePatches.h"
 
 namespace radlab::grader {
 
@@ -15,18 +16,6 @@ namespace {
 constexpr double slack = 1e-3;      // of a display value: float sums through a tone curve
 constexpr float nearEdge = 1e-3f;   // pixels: a sample nearer to an edge may see either side
 constexpr Vec3f heldBefore(0.25f);  // by the picture
-constexpr const char* channels = "rgb";
-
-// The patches of a state, for rays.
-struct Patches {
-    explicit Patches(State of) : state(std::move(of)) {
-        for (MyPolygon& patch : state.patches) polygons.push_back(&patch);
-        for (MyVertex& corner : state.corners) corners.push_back(&corner);
-    }
-    State state;
-    std::vector<MyPolygon*> polygons;
-    std::vector<MyVertex*> corners;
-};
 
 // Notes whether any sample lay so near an edge that rounding decides what it sees.
 class CarefulView : public PictureView {
@@ -49,7 +38,7 @@ private:
 
 Computation shows(const PixelRule& rule, bool upsideDown = false) {
     return [rule, upsideDown](const Situation& at) {
-        Patches patches(at.before);
+        PicturePatches patches(at.before);
         const RayCaster caster(patches.polygons, patches.corners);
         const RayView plain(caster, at.step.view, at.step.width, at.step.height, 1.0f);
         CarefulView view(plain);
@@ -76,13 +65,9 @@ public:
     std::vector<Check> checks(std::uint64_t seed) const override { return antialiasChecks(seed); }
     std::vector<Computation> right() const override { return {shows(antialiasedPixel)}; }
     Numbers numbers(const Step&, const State&, const Outcome& outcome) const override {
-        return {outcome.pixels, outcome.slack.empty() ? std::vector<double>(outcome.pixels.size()) : outcome.slack};
+        return pictureNumbers(outcome);
     }
-    std::string name(const Step& step, std::size_t k) const override {
-        const auto width = static_cast<std::size_t>(step.width);
-        return "picture.at(" + std::to_string(k / 3 % width) + ", " + std::to_string(k / 3 / width) + ")." +
-               channels[k % 3];
-    }
+    std::string name(const Step& step, std::size_t k) const override { return pixelName(step, k); }
     std::string tolerance() const override { return "0.001 of white"; }
     std::vector<Mistake> mistakes() const override {
         std::vector<Mistake> all;

@@ -7,6 +7,7 @@
 
 #include "course/FacePolygon.h"
 #include "course/RayCaster.h"
+#include "grader/stages/PicturePatches.h"
 
 namespace radlab::grader {
 
@@ -82,30 +83,25 @@ bool areShares(const State& state, int rays) {
 }
 
 struct RayScene::Parts {
-    State state;
-    std::vector<MyPolygon*> patches;
-    std::vector<MyVertex*> corners;
-    std::unique_ptr<RayCaster> caster;
+    explicit Parts(State scene) : patches(std::move(scene)), caster(patches.polygons, patches.corners) {}
+
+    PicturePatches patches;
+    RayCaster caster;
 };
 
-RayScene::RayScene(State scene) : parts(std::make_unique<Parts>()) {
-    parts->state = std::move(scene);
-    for (MyPolygon& patch : parts->state.patches) parts->patches.push_back(&patch);
-    for (MyVertex& corner : parts->state.corners) parts->corners.push_back(&corner);
-    parts->caster = std::make_unique<RayCaster>(parts->patches, parts->corners);
-}
+RayScene::RayScene(State scene) : parts(std::make_unique<Parts>(std::move(scene))) {}
 
 RayScene::~RayScene() = default;
 
 int RayScene::send(const RayUse& use, int shooter, const Draw& draw, const Draw& start, double& weight) const {
-    const MyPolygon& from = parts->state.patches[static_cast<std::size_t>(shooter)];
+    const MyPolygon& from = parts->patches.state.patches[static_cast<std::size_t>(shooter)];
     const glm::dvec3 local = use.direction ? use.direction(draw) : cosineDirection(draw);
     const glm::dvec3 normal = glm::normalize(glm::dvec3(from.normal));
     const glm::dmat3 frame = use.frame ? use.frame(normal) : orthonormalFrame(normal);
     weight = use.weight ? use.weight(local.z / glm::length(local)) : 1.0;
-    const Vec3f origin = use.fromArea ? pointOn(parts->state, from, start) : from.center;
-    const MyPolygon* met = parts->caster->hit(origin, Vec3f(frame * local), use.leavesOutShooter ? &from : nullptr);
-    return met ? static_cast<int>(met - parts->state.patches.data()) : -1;
+    const Vec3f origin = use.fromArea ? pointOn(parts->patches.state, from, start) : from.center;
+    const MyPolygon* met = parts->caster.hit(origin, Vec3f(frame * local), use.leavesOutShooter ? &from : nullptr);
+    return met ? static_cast<int>(met - parts->patches.state.patches.data()) : -1;
 }
 
 std::shared_ptr<const RayShares> RayShooter::shares(const State& state, int shooter, const RayUse& use) const {

@@ -27,6 +27,7 @@ std::vector<std::unique_ptr<Stage>> extensionStages() {
     std::vector<std::unique_ptr<Stage>> stages;
     stages.push_back(hemisphereStage());
     stages.push_back(antialiasStage());
+    stages.push_back(mirrorStage());
     return stages;
 }
 

@@ -117,5 +117,6 @@ std::unique_ptr<Stage> patchIdStage();
 std::unique_ptr<Stage> hemicubeStage();
 std::unique_ptr<Stage> hemisphereStage();
 std::unique_ptr<Stage> antialiasStage();
+std::unique_ptr<Stage> mirrorStage();
 
 }  // namespace radlab::grader

@@ -23,6 +23,7 @@ const std::map<std::string, const char*> symbols = {
     {"colorReconstruction", "_Z19colorReconstructionv"},
     {"renderPatchIDs", "_Z14renderPatchIDsv"},
     {"calcFF", "_Z6calcFFP8Hemicube"},
+    {"mirrorScene", "_Z11mirrorSceneRK10MirrorPassRKN3glm3vecILi3EfLNS2_9qualifierE0EEES7_S7_RN6radlab5ImageE"},
     {"antialias", "_Z9antialiasRK11PictureViewiRN6radlab5ImageE"},
     {"hemisphereFF", "_Z12hemisphereFFRK9RayCasteriR13RandomNumbers"},
 };
@@ -63,6 +64,10 @@ MyPolygon* Submission::hemisphereFF(const RayCaster& scene, int rays, RandomNumb
 }
 void Submission::antialias(const PictureView& view, int samples, Image& picture) const {
     find<decltype(::antialias)>("antialias")(view, samples, picture);
+}
+void Submission::mirrorScene(const MirrorPass& pass, const Vec3f& point, const Vec3f& normal, const Vec3f& reflectance,
+                             Image& picture) const {
+    find<decltype(::mirrorScene)>("mirrorScene")(pass, point, normal, reflectance, picture);
 }
 
 void Submission::standIn(MyPolygon* shooter) {

@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "course/Vec3f.h"
+
 class Hemicube;
+class MirrorPass;
 class PictureView;
 class RandomNumbers;
 class RayCaster;
@@ -39,6 +42,8 @@ public:
     MyPolygon* calcFF(Hemicube* hemicube) const;
     MyPolygon* hemisphereFF(const RayCaster& scene, int rays, RandomNumbers& random) const;
     void antialias(const PictureView& view, int samples, Image& picture) const;
+    void mirrorScene(const MirrorPass& pass, const Vec3f& point, const Vec3f& normal, const Vec3f& reflectance,
+                     Image& picture) const;
 
     /// What calls of maxenergy_patch by others return while standing in, and that renderPatchIDs is ours.
     void standIn(MyPolygon* shooter);

@@ -16,13 +16,13 @@ const std::filesystem::path exercises = RADLAB_SOURCE_DIR "/exercises/extensions
 const std::filesystem::path solutions = RADLAB_SOURCE_DIR "/solutions/extensions";
 
 // Each file, and its function, in the order of the extensions.
-const std::vector<std::pair<std::string, std::string>> extensions = {{"Hemisphere.cpp", "hemisphereFF"},
-                                                                     {"AntiAliasing.cpp", "antialias"}};
+const std::vector<std::pair<std::string, std::string>> extensions = {
+    {"Hemisphere.cpp", "hemisphereFF"}, {"AntiAliasing.cpp", "antialias"}, {"Mirror.cpp", "mirrorScene"}};
 
 // The beginnings of functions defined at file scope and seen from outside.
 std::vector<std::string> definitions(const std::filesystem::path& file) {
     const std::string text = readFile(file);
-    const std::regex beginning(R"((?:^|\n)((?!static)[\w:][\w:*]* \w+\([^()\n]*\)) \{)");
+    const std::regex beginning(R"((?:^|\n)((?!static)[\w:][\w:*]* \w+\([^()]*\)) \{)");
     std::vector<std::string> found;
     for (std::sregex_iterator it(text.begin(), text.end(), beginning), end; it != end; ++it) found.push_back((*it)[1]);
     return found;
