@@ -41,15 +41,16 @@ case $claim in
         exits 0
         unpack ../students.zip new
         for name in radlab README.md LICENSE CMakeLists.txt exercises/ProgRef.cpp framework/course/ProgRef.h .gitignore \
-            exercises/extensions/Hemisphere.cpp framework/course/Extensions.h \
+            exercises/extensions/Hemisphere.cpp exercises/extensions/AntiAliasing.cpp exercises/extensions/Mirror.cpp framework/course/Extensions.h \
             grader/stages/manifest.json grader/apps/check.cpp resources/reference/calcFF.png .github/workflows/check.yml; do
             has new "radlab/$name"
         done
         has_none new '/(solutions|mutants|attacks|batch|intake|packaging|\.ci)/|Test\.cpp$|grade\.cpp|BENCHMARKS'
         [ -x new/radlab/radlab ] && [ ! -x new/radlab/README.md ] || wrong "$(ls -l new/radlab)"
         cmp "$project/packaging/README-student.md" new/radlab/README.md
-        sed 's/^ *//' "$project/solutions/ProgRef.cpp" "$project/solutions/OlderStyle.cpp" "$project"/solutions/extensions/[A-Z]*[a-z].cpp |
-            awk 'length > 45 && !/^\/\/ [A-Z]/ && !/^for \(std::size_t i = 0; i < polygons/' | LC_ALL=C sort -u >lines
+        sed 's/^ *//' "$project/solutions/ProgRef.cpp" "$project/solutions/OlderStyle.cpp" \
+            "$project"/solutions/extensions/Hemisphere.cpp "$project"/solutions/extensions/AntiAliasing.cpp "$project"/solutions/extensions/Mirror.cpp |
+            awk 'length > 45 && !/^\/\/ [A-Z]/ && !/^(MyPolygon\*|void) [a-zA-Z]+\(const .*[{,]$/ && !/^for \(std::size_t i = 0; i < polygons/' | LC_ALL=C sort -u >lines
         [ "$(wc -l <lines)" -gt 25 ] || wrong "$(cat lines)"
         ! grep -rFf lines new >found || wrong "$(head -n 3 found)" ;;
     "what students get can be configured, and has no program that needs the solutions")

@@ -75,7 +75,7 @@ Image enlarged(const Image& picture, int left, int top, int factor) {
     return large;
 }
 
-Image enlarged(const Image& picture) { return enlarged(picture, edge / 2, edge * 49 / 80, 8); }
+Image enlarged(const Image& picture) { return enlarged(picture, edge / 2, edge * 45 / 80, 8); }
 
 radlab::RayMirrorPass firstPass(const Stage& stage) {
     const auto none = [](const MyPolygon*) { return false; };

@@ -16,8 +16,8 @@ public:
 
     /// The nearest patch that a ray meets, from either side.
     ///
-    /// A ray that starts on a patch meets that patch first, at the distance 0: name it as `from` to leave it out, and with it whatever
-    /// else lies in that place, such as the back of the same wall.
+    /// A ray that starts on a patch meets that patch first, at the distance 0: name it as `from` to leave it out, and
+    /// with it whatever else lies in that place, such as the back of the same wall.
     ///
     /// @param direction  of any length above 0
     /// @return nullptr where the ray leaves the scene

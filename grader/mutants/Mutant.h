@@ -18,8 +18,9 @@ struct Mutant {
 
 /// All mutants of a folder of .json files, made from the solution, or from the files of a folder of solutions.
 ///
-/// A file has "stage", "wrong" and "right"; each of their entries an "id" and a change: "replace", pairs of a text that occurs exactly
-/// once and its replacement; or "function", names of functions with the lines that take the place of their definition.
+/// A file has "stage", "wrong" and "right"; each of their entries an "id" and a change: "replace", pairs of a text that
+/// occurs exactly once and its replacement; or "function", names of functions with the lines that take the place of
+/// their definition.
 /// Errors: with file and id, a text that does not occur once, a function that is not there, a file of another form.
 std::vector<Mutant> readMutants(const std::filesystem::path& folder, const std::filesystem::path& solution);
 

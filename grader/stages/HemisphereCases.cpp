@@ -36,7 +36,8 @@ int facing(const State& state, const Vec3f& direction) {
     return 0;
 }
 
-// A shooter in the middle of the plane z = 0, and patches of all heights around and over it: straight above, aslant, near the horizon.
+// A shooter in the middle of the plane z = 0, and patches of all heights around and over it: straight above, aslant,
+// near the horizon.
 State openScene(Random& random) {
     State state;
     addPatch(state, rectangle(Vec3f(0.0f), zAxis, 0.5f, 0.5f));

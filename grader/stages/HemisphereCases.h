@@ -12,7 +12,8 @@ constexpr int fewRays = 1000;
 
 /// What hemisphereFF is asked to shoot: few rays and many, shooters turned any way, in closed rooms and open scenes.
 ///
-/// The shooters of all checks but "rays.turned" look along the z axis, so that turning the hemisphere is a matter of its own.
+/// The shooters of all checks but "rays.turned" look along the z axis, so that turning the hemisphere is a matter of
+/// its own.
 std::vector<Check> hemisphereChecks(std::uint64_t seed);
 
 }  // namespace radlab::grader

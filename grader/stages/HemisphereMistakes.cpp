@@ -65,6 +65,15 @@ std::vector<RayMistake> densities() {
          "Which function of an even random number makes the area within the radius even?",
          drawing("radius",
                  [](const Draw& d) { return lifted(d.x * std::cos(2 * pi * d.y), d.x * std::sin(2 * pi * d.y)); })},
+        {"radius-uniform",
+         "The radius on the disc is the random number itself, not its root, so that points crowd round the centre. A "
+         "ring twice as far out "
+         "has twice the area and should get twice as many.",
+         "Which function of an even random number makes the area within the radius even?",
+         drawing("radius of no root",
+                 [](const Draw& d) {
+                     return glm::dvec3(d.x * std::cos(2 * pi * d.y), d.x * std::sin(2 * pi * d.y), std::sqrt(1 - d.x));
+                 })},
         {"lift-without-root",
          "The point is lifted to 1 - r² instead of √(1 - r²): that is a paraboloid, and its directions lean too far to "
          "the side.",

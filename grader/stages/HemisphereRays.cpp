@@ -24,7 +24,8 @@ constexpr double wholeSlack = 0.05;           // rays
 constexpr double golden = 1.61803398874989;   // root of x² = x + 1
 constexpr double plastic = 1.32471795724475;  // root of x³ = x + 1
 
-// Evenly over the unit square, as the points of a Fibonacci lattice; the other two coordinates follow an additive sequence.
+// Evenly over the unit square, as the points of a Fibonacci lattice; the other two coordinates follow an additive
+// sequence.
 double fraction(double x) { return x - std::floor(x); }
 Draw evenDraw(std::uint32_t i) {
     const double n = i;

@@ -55,8 +55,8 @@ bool areShares(const State& state, int rays);
 /// The expected outcome of shots by rays, found without chance: by evenly spread rays instead of random ones.
 class RayShooter {
 public:
-    /// What a use of rays leaves on average: slack says how far chance may take it from there once in 10¹², pixels are the use's
-    /// `whole` and how far the sum of all form factors may be off.
+    /// What a use of rays leaves on average: slack says how far chance may take it from there once in 10¹², pixels are
+    /// the use's `whole` and how far the sum of all form factors may be off.
     Computation shoots(const RayUse& use) const;
 
     /// The shares of a shot from that patch.

@@ -31,7 +31,8 @@ void add(Random& random, State& state, const Vec3f& center, const Vec3f& normal,
     state.patches[static_cast<std::size_t>(patch)].color = random.vector(0.1, 1.0);
 }
 
-// Patches in front look at the mirror or away from it; the camera stands in front, too, and looks at the mirror's middle.
+// Patches in front look at the mirror or away from it; the camera stands in front, too, and looks at the mirror's
+// middle.
 State stateOf(Random& random, const Scene& scene) {
     State state;
     const Vec3f n = scene.normal, right = acrossTo(n), up = glm::cross(n, right);

@@ -19,7 +19,8 @@ struct MirrorWay {
     std::function<glm::vec4(const MirrorPlane& plane)> clip;   ///< by default keeps what lies in front
     bool clockwise = true;
     bool everywhere = false;  ///< in all pixels, not in those of the mirror alone
-    /// What a pixel becomes of what it holds and what the second picture has there; by default with the reflectance added.
+    /// What a pixel becomes of what it holds and what the second picture has there; by default with the reflectance
+    /// added.
     std::function<Vec3f(const MirrorPlane& plane, const Vec3f& held, const Vec3f& seen)> combined;
 
     glm::mat4 worldFor(const MirrorPlane& plane) const;

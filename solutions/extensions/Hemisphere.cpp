@@ -2,8 +2,8 @@
 
 #include "Extensions.h"
 
-// Evenly from the unit disc: the root, since a ring twice as far out has twice the area. Lifted up, the disc's even density becomes
-// cosθ/π on the hemisphere, as each piece of it covers cosθ of its own area below.
+// Evenly from the unit disc: the root, since a ring twice as far out has twice the area. Lifted up, the disc's even
+// density becomes cosθ/π on the hemisphere, as each piece of it covers cosθ of its own area below.
 static Vec3f cosineDirection(RandomNumbers& random) {
     const float r2 = random.next(), turn = 2.0f * static_cast<float>(M_PI) * random.next();
     const float r = std::sqrt(r2);
