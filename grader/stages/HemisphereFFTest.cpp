@@ -123,4 +123,13 @@ TEST_CASE("hemisphere: form factors a hundredth too large are found") {
     CHECK(firstFailure(judged(*stage, 4, program(large))) != "");
 }
 
+TEST_CASE("hemisphere: what no mistake explains is told in words, and not as code that would not compile") {
+    RayUse odd;
+    odd.over = [](int rays, double) { return rays > 100 ? 0.6 : 0.7; };
+    const StageVerdict verdict = judged(*stage, 4, program(odd));
+    CHECK(firstFailure(verdict) != "");
+    CHECK_FALSE(verdict.diagnosis);
+    CHECK(verdict.example.empty());
+}
+
 TEST_CASE("hemisphere: texts are sentences") { checkWording(*stage); }
