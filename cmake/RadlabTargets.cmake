@@ -53,9 +53,10 @@ function(radlab_library folder)
   radlab_reuse_headers(${name} radlab_precompiled)
 endfunction()
 
-# A submission: one file with the six functions, compiled as it stands, warnings included.
-function(radlab_submission name file)
-  add_library(radlab_${name} OBJECT ${PROJECT_SOURCE_DIR}/${file})
+# A submission: one file with the six functions, or those of the extensions, compiled as they stand, warnings included.
+function(radlab_submission name)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
+  add_library(radlab_${name} OBJECT ${files})
   target_link_libraries(radlab_${name} PUBLIC radlab_course)
   target_include_directories(radlab_${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework/course)
   target_precompile_headers(radlab_${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework/course/ProgRef.h)

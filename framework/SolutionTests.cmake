@@ -21,7 +21,9 @@ radlab_test_files(older-style-test "${any_solution};solutions/OlderStyleTest.cpp
   radlab_solver radlab_older-style ${RADLAB_OFFSCREEN})
 
 # The exercise alone, with far more warnings than a student's own file gets: what radlab hands out has none.
-add_library(exercise-without-warnings OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/exercises/ProgRef.cpp)
+file(GLOB handed_out CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/*.cpp ${PROJECT_SOURCE_DIR}/exercises/extensions/*.cpp)
+list(FILTER handed_out EXCLUDE REGEX "Test\\.cpp$")
+add_library(exercise-without-warnings OBJECT EXCLUDE_FROM_ALL ${handed_out})
 target_link_libraries(exercise-without-warnings PRIVATE radlab_course)
 target_include_directories(exercise-without-warnings PRIVATE ${PROJECT_SOURCE_DIR}/framework/course)
 if(MSVC)

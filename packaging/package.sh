@@ -33,10 +33,10 @@ trap 'rm -rf "$work" "$part"' EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
-# What a package may hold; of exercises the students' file alone, since others beside it may be somebody's solution.
+# What a package may hold; of exercises the students' files alone, since others beside them may be somebody's solution.
 packed='^(framework|grader/(protocol|sandbox|stages|judge|report|worker|apps)|resources|handout|cmake|\.vscode)/
 ^grader/CMakeLists\.txt$
-^exercises/ProgRef\.cpp$
+^exercises/(ProgRef|extensions/(Hemisphere|AntiAliasing|Mirror))\.cpp$
 ^(radlab|LICENSE|CMakeLists\.txt|CMakePresets\.json|vcpkg\.json|\.gitignore|\.editorconfig|\.clang-format)$'
 # Of that, what quotes solutions, needs them, or tests radlab itself; then what .gitignore names, for trees without git.
 left_out='(Test|Fuzz)\.cpp$
@@ -87,6 +87,11 @@ zip_all() {
 
 [ "$(grep -c 'throw NotImplemented("' "$root/exercises/ProgRef.cpp")" = 6 ] ||
     fail "exercises/ProgRef.cpp: found functions that are written, expected the six stubs that students begin with"
+for stub in Hemisphere AntiAliasing Mirror; do
+    stub=exercises/extensions/$stub.cpp
+    [ ! -e "$root/$stub" ] || grep -q '^ *throw NotImplemented("' "$root/$stub" ||
+        fail "$stub: found an extension that is written, expected the stub that students begin with"
+done
 command -v cmake >/dev/null || fail "CMake is needed; ./radlab check installs it"
 case $kind in
     student)

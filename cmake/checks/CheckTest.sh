@@ -29,7 +29,7 @@ case $claim in
         run --file absent.cpp
         exits 2
         says err 'absent.cpp: found no such file'
-        run 9
+        run 99
         exits 2
         says err 'expected one of 1 maxenergy_patch'
         run --nonsense
@@ -50,6 +50,33 @@ case $claim in
         exits 0
         run 2 --file mine.cpp --json absent/verdict.json
         exits 2 ;;
+    "extensions are judged apart, each out of its own file, and are worth no marks")
+        mkdir mine
+        run extensions --extensions mine
+        exits 1
+        says out 'extensions: 0/30, beside the marks'
+        sed 's/std::sqrt(r2)/r2/; s/std::sqrt(1.0f - r2)/std::sqrt(1.0f - r * r)/' "$project/solutions/extensions/Hemisphere.cpp" >mine/Hemisphere.cpp
+        cp "$project/solutions/extensions/Mirror.cpp" mine/
+        run extensions --extensions mine --json verdict.json --seed 7
+        exits 1
+        says out 'hemisphereFF'
+        says out ' 10  mirrorScene   10/10  right'
+        says verdict.json '"max_score": 0,'
+        run hemisphere --extensions mine --hint
+        exits 1
+        says out 'The radius on the disc is drawn evenly'
+        says out 'look at: Which function of an even random number'
+        run mirror --extensions mine
+        exits 0
+        says out 'extensions: 10/10, beside the marks'
+        printf '#include "Extensions.h"\n\nint a = b;\n' >mine/AntiAliasing.cpp
+        run extensions --extensions mine
+        exits 2
+        says out 'mine/AntiAliasing.cpp:3:9: error: '
+        says out ' 10  mirrorScene   10/10  right'
+        run 6 --file "$project/solutions/ProgRef.cpp"
+        exits 0
+        ! grep -q extension out || wrong "$(cat out)" ;;
     "every verdict is written, also on a file that does not compile, and Gradescope's where there is none")
         printf '#include "ProgRef.h"\n\nint a = b;\n' >wrong.cpp
         run --file wrong.cpp --json verdict.json --junit verdict.xml --gradescope results.json --html --out page

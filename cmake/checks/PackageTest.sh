@@ -16,7 +16,7 @@ has_none() { ! grep -E -- "$2" "$1.names" >found || wrong "it holds $(head -n 3 
 
 stray() { mkdir -p "$(dirname "a copy/$1")" && echo 'int stray;' >"a copy/$1"; }
 strays() {
-    for name in exercises/Solved.cpp exercises/ProgRef.cpp~ submissions/student-07/ProgRef.cpp marks.csv build/release/a.cpp \
+    for name in exercises/Solved.cpp exercises/extensions/Solved.cpp exercises/ProgRef.cpp~ submissions/student-07/ProgRef.cpp marks.csv build/release/a.cpp \
         out/check/index.html framework/base/Error.h.orig framework/.cache/a.cpp grader/stages/manifest.json~ CMakeUserPresets.json; do
         stray "$name"
     done
@@ -41,14 +41,16 @@ case $claim in
         exits 0
         unpack ../students.zip new
         for name in radlab README.md LICENSE CMakeLists.txt exercises/ProgRef.cpp framework/course/ProgRef.h .gitignore \
+            exercises/extensions/Hemisphere.cpp exercises/extensions/AntiAliasing.cpp exercises/extensions/Mirror.cpp framework/course/Extensions.h \
             grader/stages/manifest.json grader/apps/check.cpp resources/reference/calcFF.png .github/workflows/check.yml; do
             has new "radlab/$name"
         done
         has_none new '/(solutions|mutants|attacks|batch|intake|packaging|\.ci)/|Test\.cpp$|grade\.cpp|BENCHMARKS'
         [ -x new/radlab/radlab ] && [ ! -x new/radlab/README.md ] || wrong "$(ls -l new/radlab)"
         cmp "$project/packaging/README-student.md" new/radlab/README.md
-        sed 's/^ *//' "$project/solutions/ProgRef.cpp" "$project/solutions/OlderStyle.cpp" |
-            awk 'length > 45 && !/^\/\/ [A-Z]/ && !/^for \(std::size_t i = 0; i < polygons/' | LC_ALL=C sort -u >lines
+        sed 's/^ *//' "$project/solutions/ProgRef.cpp" "$project/solutions/OlderStyle.cpp" \
+            "$project"/solutions/extensions/Hemisphere.cpp "$project"/solutions/extensions/AntiAliasing.cpp "$project"/solutions/extensions/Mirror.cpp |
+            awk 'length > 45 && !/^\/\/ [A-Z]/ && !/^(MyPolygon\*|void) [a-zA-Z]+\(const .*[{,]$/ && !/^for \(std::size_t i = 0; i < polygons/' | LC_ALL=C sort -u >lines
         [ "$(wc -l <lines)" -gt 25 ] || wrong "$(cat lines)"
         ! grep -rFf lines new >found || wrong "$(head -n 3 found)" ;;
     "what students get can be configured, and has no program that needs the solutions")
@@ -67,7 +69,7 @@ case $claim in
         unpack ../plain.zip plain
         no_strays plain
         command -v git >/dev/null || exit 0
-        (cd "a copy" && git init -q && git add CMakeLists.txt LICENSE radlab framework grader exercises/ProgRef.cpp resources cmake) 2>err ||
+        (cd "a copy" && git init -q && git add CMakeLists.txt LICENSE radlab framework grader exercises/ProgRef.cpp exercises/extensions/Hemisphere.cpp resources cmake) 2>err ||
             wrong "$(cat err)"
         stray framework/base/Mine.cpp
         run student "a new folder/known.zip"
@@ -90,6 +92,11 @@ case $claim in
         run student old.zip
         exits 2
         says err 'expected the six stubs'
+        cp "$project/exercises/ProgRef.cpp" "a copy/exercises/ProgRef.cpp"
+        cp "a copy/solutions/extensions/Hemisphere.cpp" "a copy/exercises/extensions/"
+        run student old.zip
+        exits 2
+        says err 'Hemisphere.cpp: found an extension that is written'
         echo older | cmp - old.zip
         [ "$(ls)" = "$(printf 'a copy\nerr\nold.zip\nout')" ] || wrong "$(ls)" ;;
     "the autograder for Gradescope has its two scripts at the top, and no solution")

@@ -13,13 +13,15 @@ float srgbFromLinear(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
+glm::vec3 toneMap(const glm::vec3& radiance, float exposure) {
+    const glm::vec3 clamped = glm::clamp(exposure * radiance, 0.0f, 1.0f);
+    return {srgbFromLinear(clamped.r), srgbFromLinear(clamped.g), srgbFromLinear(clamped.b)};
+}
+
 Image toneMap(const Image& radiance, float exposure) {
     RADLAB_CHECK(exposure > 0.0f);
     Image shown = radiance;
-    for (glm::vec3& pixel : shown.data()) {
-        const glm::vec3 clamped = glm::clamp(exposure * pixel, 0.0f, 1.0f);
-        pixel = {srgbFromLinear(clamped.r), srgbFromLinear(clamped.g), srgbFromLinear(clamped.b)};
-    }
+    for (glm::vec3& pixel : shown.data()) pixel = toneMap(pixel, exposure);
     return shown;
 }
 

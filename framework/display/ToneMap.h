@@ -10,6 +10,9 @@ namespace radlab {
 /// @source [IEC61966]
 Image toneMap(const Image& radiance, float exposure);
 
+/// The same for one colour.
+glm::vec3 toneMap(const glm::vec3& radiance, float exposure);
+
 /// An exposure that shows all but the brightest twentieth of the lit pixels below white.
 ///
 /// @return 0.8 over the 95th percentile of the largest channel of pixels that are not black; 1 where all are

@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "base/ProgressBar.h"
+#include "grader/apps/CompileReport.h"
+#include "grader/judge/Extension.h"
 
 namespace radlab::grader {
 
@@ -33,6 +35,29 @@ Result FileChecker::notCompiled(const std::vector<std::string>& stages, const st
     return result;
 }
 
+Result FileChecker::judgeExtensions(const std::vector<ManifestStage>& extensions,
+                                    const std::filesystem::path& folder) const {
+    ProgressBar bar("checking", static_cast<double>(extensions.size()));
+    Result all;
+    for (std::size_t i = 0; i < extensions.size(); ++i) {
+        const std::filesystem::path file = folder / extensions[i].file;
+        JudgeOptions reporting = options({});
+        reporting.report = [&](std::size_t done, std::size_t total, const std::string& now) {
+            bar.show(static_cast<double>(i) + static_cast<double>(done) / static_cast<double>(total), now);
+        };
+        Result one = judgeExtension(extensions[i], file, rules, toolchain, reporting);
+        one.extensions.insert(one.extensions.begin(), all.extensions.begin(), all.extensions.end());
+        one.seconds += all.seconds;
+        if (!one.compiled && all.compiled) one.compiler = shownError(one.compiler, file);
+        if (!all.compiled) one.compiler = all.compiler;
+        one.compiled = one.compiled && all.compiled;
+        all = one;
+    }
+    const std::filesystem::path judged = extensions.size() == 1 ? folder / extensions[0].file : folder;
+    all.submission = std::filesystem::proximate(judged).string();
+    return all;
+}
+
 JudgeOptions FileChecker::options(const std::vector<std::string>& stages) const {
     JudgeOptions options;
     options.seed = seed;
@@ -45,10 +70,11 @@ std::string FileChecker::shownName() const { return std::filesystem::proximate(s
 
 int exitCode(const Result& result) {
     bool right = true;
-    for (const StageResult& stage : result.stages) {
-        if (stage.status == Status::error) return 3;
-        right = right && stage.status == Status::pass;
-    }
+    for (const std::vector<StageResult>* stages : {&result.stages, &result.extensions})
+        for (const StageResult& stage : *stages) {
+            if (stage.status == Status::error) return 3;
+            right = right && stage.status == Status::pass;
+        }
     return right ? 0 : 1;
 }
 

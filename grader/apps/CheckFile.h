@@ -19,6 +19,12 @@ public:
     /// Errors: CompileError; those of compileSubmission and Judge.
     Result judge(const std::vector<std::string>& stages) const;
 
+    /// Compiles and judges extensions, each out of its file in the folder, with a progress bar on a terminal.
+    ///
+    /// @return a result without marks; compiler is what the first that does not compile got, under its name from here
+    /// Errors: those of judgeExtension.
+    Result judgeExtensions(const std::vector<ManifestStage>& extensions, const std::filesystem::path& folder) const;
+
     /// The verdict on the file where it does not compile.
     Result notCompiled(const std::vector<std::string>& stages, const std::string& compilerSaid) const;
 

@@ -30,10 +30,23 @@ std::string firstProblem(const Result& result) {
 }  // namespace
 
 Grading::Grading(std::uint64_t seed)
-    : toolchain(readToolchain(RADLAB_TOOLCHAIN)),
+    : options(oneAfterTheOther(seed)),
+      toolchain(readToolchain(RADLAB_TOOLCHAIN)),
       manifest(readManifest(manifestFile())),
-      judge(manifest, toolchain, oneAfterTheOther(seed)) {
+      judge(manifest, toolchain, options) {
     encodeReferences(manifest, pictures);
+}
+
+std::vector<std::string> Grading::handedIn() const {
+    std::vector<std::string> names = manifest.files;
+    for (const ManifestStage& extension : manifest.extensions) names.push_back(extension.file);
+    return names;
+}
+
+Graded Grading::grade(const Job& job) {
+    Graded all = graded(job.files);
+    addExtensions(job.files, manifest, toolchain, options, all.result);
+    return all;
 }
 
 void Grading::rehearse() {

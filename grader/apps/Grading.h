@@ -16,7 +16,10 @@ public:
     const Toolchain& tools() const { return toolchain; }
     const Manifest& rules() const { return manifest; }
 
-    Graded grade(const Job& job) { return graded(job.files); }
+    /// What is handed in: the file to compile, then others, last those of the extensions.
+    std::vector<std::string> handedIn() const;
+
+    Graded grade(const Job& job);
 
     /// Makes sure that grading is fair here, and does once what all submissions need: the solution gets all marks.
     ///
@@ -29,6 +32,7 @@ private:
         return gradeFiles(files, manifest.files.front(), judge, pictures);
     }
 
+    JudgeOptions options;
     Toolchain toolchain;
     Manifest manifest;
     Judge judge;

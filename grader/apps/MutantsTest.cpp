@@ -4,7 +4,7 @@
 
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
-#include "grader/judge/Judge.h"
+#include "grader/judge/Extension.h"
 #include "grader/mutants/Mutant.h"
 
 using namespace radlab;
@@ -13,6 +13,7 @@ using namespace radlab::grader;
 namespace {
 
 constexpr std::size_t spread = 23;  // every twenty-third
+constexpr std::size_t spreadOfExtensions = 6;
 
 // One judge for all, so that what is right is found once.
 class MutantJudge {
@@ -57,5 +58,34 @@ TEST_CASE("wrong programs lose marks in the stage that is wrong alone, and right
                 if (check.diagnosis) name = check.diagnosis->id;
         }
         if (!mutant.names.empty()) CHECK(std::count(mutant.names.begin(), mutant.names.end(), name) == 1);
+    }
+}
+
+TEST_CASE("wrong extensions lose points and are named, right ones keep all, and neither has any marks") {
+    const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+    Manifest manifest = readManifest(manifestFile());
+    manifest.seconds = 20.0;
+    const std::vector<Mutant> mutants = extensionMutants();
+    for (std::size_t i = 0; i < mutants.size(); i += spreadOfExtensions) {
+        const Mutant& mutant = mutants[i];
+        const std::string which = mutant.stage + " " + mutant.id;
+        CAPTURE(which);
+        const test::Folder folder;
+        writeFile(folder / mutant.file, mutant.source);
+        JudgeOptions options;
+        options.seed = 2000 + i;
+        const Result result =
+            judgeExtension(manifest.find(mutant.stage), folder / mutant.file, manifest, toolchain, options);
+        CHECK(result.maxScore == 0.0);
+        CHECK(result.stages.empty());
+        REQUIRE(result.extensions.size() == 1);
+        const StageResult& stage = result.extensions[0];
+        CHECK(stage.status == (mutant.wrong ? Status::fail : Status::pass));
+        CHECK((stage.score < stage.maxScore) == mutant.wrong);
+        if (mutant.names.empty()) continue;
+        std::string name;
+        for (const CheckResult& check : stage.checks)
+            if (check.diagnosis) name = check.diagnosis->id;
+        CHECK(std::count(mutant.names.begin(), mutant.names.end(), name) == 1);
     }
 }

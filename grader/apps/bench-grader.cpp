@@ -84,6 +84,7 @@ public:
 
     void run() {
         std::vector<Mutant> mutants = projectMutants();
+        for (const Mutant& mutant : extensionMutants()) mutants.push_back(mutant);
         std::erase_if(mutants, [&](const Mutant& mutant) {
             return (!settings.stage.empty() && mutant.stage != settings.stage) ||
                    (!settings.id.empty() && mutant.id != settings.id);
@@ -101,11 +102,12 @@ public:
                      "for all seeds | same marks |\n"
                      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
         Row sum;
-        for (const ManifestStage& stage : manifest.stages)
-            if (const auto found = rows.find(stage.stage); found != rows.end()) {
-                print(stage.stage, found->second);
-                add(sum, found->second);
-            }
+        for (const std::vector<ManifestStage>* stages : {&manifest.stages, &manifest.extensions})
+            for (const ManifestStage& stage : *stages)
+                if (const auto found = rows.find(stage.stage); found != rows.end()) {
+                    print(stage.stage, found->second);
+                    add(sum, found->second);
+                }
         print("all", sum);
         return sum.caught == sum.wrong && sum.alone == sum.wrong && sum.kept == sum.right &&
                sum.steady == sum.wrong + sum.right && 20 * sum.named >= 19 * sum.nameable;
@@ -133,16 +135,18 @@ private:
     // The other stages are those of the solution: one seed is enough for them.
     Judged judged(const Mutant& mutant) const {
         const TemporaryFolder folder;
-        const std::filesystem::path source = folder.path() / "ProgRef.cpp", library = folder.path() / "submission.so";
+        const std::filesystem::path source = folder.path() / mutant.file, library = folder.path() / "submission.so";
+        const ManifestStage& stage = manifest.find(mutant.stage);
+        const Manifest within = stage.isExtension() ? manifest.of(stage) : manifest;
         radlab::writeFile(source, mutant.source);
-        compileSubmission(source, library, toolchain, manifest);
+        compileSubmission(source, library, toolchain, within);
         Judged all;
         for (int i = 0; i < settings.seeds; ++i) {
             JudgeOptions options;
             options.seed = settings.firstSeed + static_cast<std::uint64_t>(i);
             options.pictures = i == 0;
             if (i > 0) options.stages = {mutant.stage};
-            const Result result = Judge(manifest, toolchain, options).judge(library);
+            const Result result = Judge(within, toolchain, options).judge(library);
             if (i == 0) all.lost = lostMarks(result);
             all.verdicts.push_back(verdictOf(result, mutant.stage, manifest));
         }

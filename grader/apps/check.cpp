@@ -20,6 +20,7 @@ namespace {
 struct Flags {
     std::string stage;
     std::string file = RADLAB_SOURCE_DIR "/exercises/ProgRef.cpp";
+    std::string extensions = RADLAB_SOURCE_DIR "/exercises/extensions";
     std::uint64_t seed = 1;
     unsigned jobs = 0;
     bool hint = false, html = false, open = false, watch = false;
@@ -27,8 +28,11 @@ struct Flags {
 };
 
 void describe(CLI::App& app, Flags& flags) {
-    app.add_option("stage", flags.stage, "One stage only: its number or the name of its function");
+    app.add_option(
+        "stage", flags.stage,
+        "One stage only: its number or the name of its function; or an extension's; or extensions, for all of them");
     app.add_option("--file", flags.file, "The file to judge")->capture_default_str();
+    app.add_option("--extensions", flags.extensions, "The folder of the extensions' files")->capture_default_str();
     app.add_flag("--hint", flags.hint, "Say more about where to look");
     app.add_flag("--watch", flags.watch, "Judge the first open stage whenever the file is saved");
     app.add_flag("--html", flags.html, "Write a page with the pictures: reference, yours, difference");
@@ -42,7 +46,7 @@ void describe(CLI::App& app, Flags& flags) {
     app.footer(
         "Exit codes: 0 all right, 1 marks lost, 2 wrong flags or a file that does not compile, 3 the grader failed.\n"
         "Examples: ./radlab check\n          ./radlab check 3 --hint\n          ./radlab check distributeEnergy --html "
-        "--open");
+        "--open\n          ./radlab check extensions");
 }
 
 void openInBrowser(const std::filesystem::path& page) {
@@ -88,22 +92,51 @@ int check(const FileChecker& checker, const std::vector<std::string>& stages, co
         report(verdict, flags);
         std::cout << compileReport(error.what(), flags.file);
         return 2;
+    }
+}
+
+// Each out of its own file: one that does not compile leaves the others as they are.
+int checkExtensions(const FileChecker& checker, const std::vector<ManifestStage>& extensions, const Flags& flags) {
+    StudentResult verdict;
+    verdict.outcome = Outcome::graded;
+    verdict.result = checker.judgeExtensions(extensions, flags.extensions);
+    report(verdict, flags);
+    if (verdict.result.compiled || extensions.size() > 1)
+        std::cout << terminalReport(verdict.result, {.color = wantsColor(), .hints = flags.hint});
+    if (verdict.result.compiled) return exitCode(verdict.result);
+    std::cout << compileReport(verdict.result.compiler, flags.extensions);
+    return 2;
+}
+
+// The extensions asked for; none where the six stages are.
+std::vector<ManifestStage> extensionsAsked(const Manifest& manifest, const std::string& name) {
+    if (name == "extensions") return manifest.extensions;
+    if (name.empty() || !manifest.find(name).isExtension()) return {};
+    return {manifest.find(name)};
+}
+
+int judged(const FileChecker& checker, const Flags& flags) {
+    const std::vector<ManifestStage> extensions = extensionsAsked(checker.manifest(), flags.stage);
+    if (!extensions.empty()) return checkExtensions(checker, extensions, flags);
+    std::vector<std::string> stages;
+    if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
+    if (flags.watch) return watch(checker, {.color = wantsColor(), .hints = flags.hint});
+    expectText(flags);
+    return check(checker, stages, flags);
+}
+
+int run(const Flags& flags) {
+    const FileChecker checker(flags.file, flags.seed, flags.jobs);
+    try {
+        return judged(checker, flags);
     } catch (const MachineError& error) {
+        StudentResult verdict;
         verdict.outcome = Outcome::error;
         verdict.fault = error.what();
         report(verdict, flags);
         std::cerr << "error: " << error.what() << '\n';
         return 3;
     }
-}
-
-int run(const Flags& flags) {
-    const FileChecker checker(flags.file, flags.seed, flags.jobs);
-    std::vector<std::string> stages;
-    if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
-    if (flags.watch) return watch(checker, {.color = wantsColor(), .hints = flags.hint});
-    expectText(flags);
-    return check(checker, stages, flags);
 }
 
 }  // namespace

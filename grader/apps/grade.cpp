@@ -145,7 +145,7 @@ int gradeSubmissions(const Flags& flags) {
     IntakeRules intake;
     intake.unpack = RADLAB_UNPACK_PROGRAM;
     Grading grading(flags.seed);
-    intake.files = grading.rules().files;
+    intake.files = grading.handedIn();
     ClassRules rules;
     rules.key = {versionOf(filesOfGrader(grading.tools())), flags.seed, flags.regrade};
     const ReportFiles files = reportFiles(flags, rules.key.version);

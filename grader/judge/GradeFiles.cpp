@@ -2,6 +2,7 @@
 
 #include "base/ImageFile.h"
 #include "base/WholeFile.h"
+#include "grader/judge/Extension.h"
 #include "grader/sandbox/Process.h"
 #include "grader/stages/Pictures.h"
 
@@ -56,6 +57,20 @@ Graded gradeFiles(const std::map<std::string, std::string>& files, const std::st
         for (CheckResult& check : stage.checks)
             if (check.picture) graded.pictures.push_back(encoded(stage.stage, check, pictures));
     return graded;
+}
+
+void addExtensions(const std::map<std::string, std::string>& files, const Manifest& manifest,
+                   const Toolchain& toolchain, const JudgeOptions& options, Result& result) {
+    for (const ManifestStage& extension : manifest.extensions) {
+        const auto file = files.find(extension.file);
+        if (file == files.end()) continue;
+        const TemporaryFolder folder;
+        writeFile(folder.path() / extension.file, file->second);
+        const Result judged = judgeExtension(extension, folder.path() / extension.file, manifest, toolchain, options);
+        result.extensions.insert(result.extensions.end(), judged.extensions.begin(), judged.extensions.end());
+        const std::string said = withoutFolder(judged.compiler, folder.path());
+        if (!said.empty()) result.compiler += (result.compiler.empty() ? "" : "\n") + said;
+    }
 }
 
 void encodeReferences(const Manifest& manifest, PngCache& pictures) {

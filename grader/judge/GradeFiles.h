@@ -19,6 +19,15 @@ namespace radlab::grader {
 Graded gradeFiles(const std::map<std::string, std::string>& files, const std::string& main, Judge& judge,
                   PngCache& pictures);
 
+/// Judges the extensions among what was handed in, by the names of their files, and adds them to the result; its marks,
+/// and what is in it already, stay as they are.
+///
+/// @pre   all are plain names, without folders
+/// Errors: MachineError.
+/// @cost  a second for each
+void addExtensions(const std::map<std::string, std::string>& files, const Manifest& manifest,
+                   const Toolchain& toolchain, const JudgeOptions& options, Result& result);
+
 /// Encodes the reference pictures, which nearly every submission needs.
 ///
 /// Errors: one that is missing.

@@ -118,3 +118,31 @@ TEST_CASE("the references are encoded before they are needed") {
     gradedText(solution, pictures);
     CHECK(pictures.encoded() <= before + 1);  // the difference, and what is drawn is the reference
 }
+
+TEST_CASE("extensions that are handed in are judged beside the marks, each by itself") {
+    const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+    const Manifest manifest = readManifest(manifestFile());
+    JudgeOptions options;
+    options.seed = 3;
+    options.jobs = 1;
+    const auto solved = [](const std::string& name) {
+        return readFile(RADLAB_SOURCE_DIR "/solutions/extensions/" + name);
+    };
+    Result result;
+    result.score = 55;
+    result.maxScore = 100;
+    addExtensions(
+        {{"ProgRef.cpp", "not read"}, {"Hemisphere.cpp", solved("Hemisphere.cpp")}, {"Mirror.cpp", "nonsense"}},
+        manifest, toolchain, options, result);
+    CHECK(result.score == 55);
+    CHECK(result.maxScore == 100);
+    CHECK(result.compiled);
+    CHECK(result.stages.empty());
+    REQUIRE(result.extensions.size() == 2);
+    CHECK(result.extensions[0].stage == "hemisphereFF");
+    CHECK(result.extensions[0].status == Status::pass);
+    CHECK(result.extensions[0].score == result.extensions[0].maxScore);
+    CHECK(result.extensions[1].stage == "mirrorScene");
+    CHECK(result.extensions[1].status == Status::blocked);
+    CHECK(result.compiler.find("Mirror.cpp:1:1: error: ") == 0);
+}

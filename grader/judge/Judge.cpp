@@ -90,12 +90,8 @@ void addUp(Result& result) {
 class Judge::Cases {
 public:
     Cases(const Manifest& within, const JudgeOptions& how) : manifest(within), options(how) {
-        for (std::unique_ptr<Stage>& stage : allStages()) {
-            const std::string name = stage->function();
-            if (!wanted(name)) continue;
-            checks[name] = stage->checks(options.seed);
-            stages[name] = std::move(stage);
-        }
+        keepWanted(allStages());
+        keepWanted(extensionStages());
     }
 
     // The tasks of a submission that has not been run yet.
@@ -130,14 +126,14 @@ public:
     }
 
     // Every stage with its checks, none of them run.
-    std::vector<StageResult> blocked(const std::string& why) {
+    std::vector<StageResult> unjudged(Status status, const std::string& why) {
         begin();
         std::vector<StageResult> results;
         for (const ManifestStage& stage : manifest.stages) {
             if (!wanted(stage.stage)) continue;
             StageResult result = emptyResult(stage);
             for (const Task& task : tasks)
-                if (task.stage == &stage) settle(result.checks.emplace_back(resultOf(task)), Status::blocked, why);
+                if (task.stage == &stage) settle(result.checks.emplace_back(resultOf(task)), status, why);
             sumUp(result);
             results.push_back(result);
         }
@@ -145,6 +141,16 @@ public:
     }
 
 private:
+    void keepWanted(std::vector<std::unique_ptr<Stage>> all) {
+        for (std::unique_ptr<Stage>& stage : all) {
+            const std::string name = stage->function();
+            const auto isIt = [&](const ManifestStage& line) { return line.stage == name; };
+            if (std::none_of(manifest.stages.begin(), manifest.stages.end(), isIt) || !wanted(name)) continue;
+            checks[name] = stage->checks(options.seed);
+            stages[name] = std::move(stage);
+        }
+    }
+
     // Asked for, or needed by what is.
     bool wanted(const std::string& name) const {
         if (options.stages.empty()) return true;
@@ -252,15 +258,22 @@ Result Judge::judgeFile(const std::filesystem::path& source) {
     return result;
 }
 
-Result Judge::notCompiled(const std::string& compilerSaid) const {
+Result Judge::unjudged(Status status, const std::string& why) const {
     Result result;
-    result.stages = cases->blocked("judged as soon as it compiles");
+    result.stages = cases->unjudged(status, why);
     addUp(result);
     result.seed = options.seed;
     result.protections = protections(toolchain.sandbox);
+    return result;
+}
+
+Result Judge::notCompiled(const std::string& compilerSaid) const {
+    Result result = unjudged(Status::blocked, "judged as soon as it compiles");
     result.compiler = compilerSaid;
     result.compiled = false;
     return result;
 }
+
+Result Judge::notStarted() const { return unjudged(Status::notStarted, "there is no such file yet"); }
 
 }  // namespace radlab::grader

@@ -44,8 +44,12 @@ public:
     /// The verdict on one that does not compile: no marks, and no stage judged.
     Result notCompiled(const std::string& compilerSaid) const;
 
+    /// The verdict on a file that is not there: nothing of it is started.
+    Result notStarted() const;
+
 private:
     class Cases;
+    Result unjudged(Status status, const std::string& why) const;
 
     Manifest manifest;
     Toolchain toolchain;

@@ -4,6 +4,7 @@
 
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
+#include "grader/judge/Extension.h"
 
 using namespace radlab;
 using namespace radlab::grader;
@@ -179,4 +180,39 @@ TEST_CASE("a worker that does not start is an error of the machine, never marks 
     for (const StageResult& stage : result.stages)
         if (stage.stage != "together") CHECK(stage.status == Status::error);
     CHECK(has(firstMessage(result.stages.at(0)), "does not start on this machine"));
+}
+
+TEST_CASE("an extension whose file is a stub, or not there, is not started") {
+    const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+    const Manifest manifest = readManifest(manifestFile());
+    for (const ManifestStage& extension : manifest.extensions)
+        for (const char* folder : {"/exercises/extensions/", "/no/such/folder/"}) {
+            CAPTURE(extension.stage);
+            CAPTURE(folder);
+            const Result result =
+                judgeExtension(extension, RADLAB_SOURCE_DIR + (folder + extension.file), manifest, toolchain, {});
+            CHECK(result.maxScore == 0.0);
+            CHECK(result.stages.empty());
+            REQUIRE(result.extensions.size() == 1);
+            CHECK(result.extensions[0].status == Status::notStarted);
+            CHECK(result.extensions[0].score == 0.0);
+            CHECK(result.extensions[0].maxScore == 10.0);
+            for (const CheckResult& check : result.extensions[0].checks) CHECK(check.status == Status::notStarted);
+        }
+}
+
+TEST_CASE("the solved extensions keep all points, whichever seed") {
+    const Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+    const Manifest manifest = readManifest(manifestFile());
+    for (const ManifestStage& extension : manifest.extensions)
+        for (const std::uint64_t seed : {1u, 5u}) {
+            CAPTURE(extension.stage);
+            CAPTURE(seed);
+            JudgeOptions options;
+            options.seed = seed;
+            const Result result = judgeExtension(extension, RADLAB_SOURCE_DIR "/solutions/extensions/" + extension.file,
+                                                 manifest, toolchain, options);
+            CHECK(result.extensions[0].status == Status::pass);
+            CHECK(result.extensions[0].score == 10.0);
+        }
 }

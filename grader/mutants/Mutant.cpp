@@ -32,8 +32,10 @@ void replaceFunction(std::string& source, const std::string& name, const Json& l
     source.replace(begin, end + 3 - begin, text);
 }
 
-Mutant mutantFrom(const Json& json, const std::string& stage, bool wrong, const std::string& solution) {
+Mutant mutantFrom(const Json& json, const std::string& stage, bool wrong, const std::string& solution,
+                  const std::string& file) {
     Mutant mutant;
+    mutant.file = file;
     mutant.stage = stage;
     mutant.wrong = wrong;
     json.at("id").get_to(mutant.id);
@@ -51,12 +53,17 @@ Mutant mutantFrom(const Json& json, const std::string& stage, bool wrong, const 
     return mutant;
 }
 
-void readFrom(const std::filesystem::path& file, const std::string& solution, std::vector<Mutant>& mutants) {
+// The solution is a file, or a folder with the file that is named.
+void readFrom(const std::filesystem::path& file, const std::filesystem::path& solutions, std::vector<Mutant>& mutants) {
     try {
         const Json json = Json::parse(readFile(file));
+        const bool named = std::filesystem::is_directory(solutions);
+        const std::filesystem::path from = named ? solutions / json.at("file").get<std::string>() : solutions;
+        const std::string solution = readFile(from);
         for (const bool wrong : {true, false})
             for (const Json& entry : json.at(wrong ? "wrong" : "right"))
-                mutants.push_back(mutantFrom(entry, json.at("stage").get<std::string>(), wrong, solution));
+                mutants.push_back(
+                    mutantFrom(entry, json.at("stage").get<std::string>(), wrong, solution, from.filename().string()));
     } catch (const Json::exception& error) {
         throw Error({file.string()}, error.what());
     } catch (const Error& error) {
@@ -72,13 +79,16 @@ std::vector<Mutant> readMutants(const std::filesystem::path& folder, const std::
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     std::vector<Mutant> mutants;
-    const std::string text = readFile(solution);
-    for (const std::filesystem::path& file : files) readFrom(file, text, mutants);
+    for (const std::filesystem::path& file : files) readFrom(file, solution, mutants);
     return mutants;
 }
 
 std::vector<Mutant> projectMutants() {
     return readMutants(RADLAB_SOURCE_DIR "/grader/mutants", RADLAB_SOURCE_DIR "/solutions/ProgRef.cpp");
+}
+
+std::vector<Mutant> extensionMutants() {
+    return readMutants(RADLAB_SOURCE_DIR "/grader/mutants/extensions", RADLAB_SOURCE_DIR "/solutions/extensions");
 }
 
 }  // namespace radlab::grader

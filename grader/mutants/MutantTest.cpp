@@ -1,5 +1,6 @@
 #include "grader/mutants/Mutant.h"
 
+#include <map>
 #include <set>
 
 #include <doctest/doctest.h>
@@ -21,6 +22,21 @@ TEST_CASE("there are at least 100 wrong programs and 20 right ones, each its own
     }
     CHECK(wrong >= 100);
     CHECK(right >= 20);
+}
+
+TEST_CASE("each extension has at least 12 wrong programs and 4 right ones, each its own") {
+    std::map<std::string, int> wrong, right;
+    std::set<std::string> ids, sources;
+    for (const Mutant& mutant : extensionMutants()) {
+        ++(mutant.wrong ? wrong : right)[mutant.stage];
+        CHECK(mutant.file != "ProgRef.cpp");
+        CHECK_MESSAGE(ids.insert(mutant.stage + "/" + mutant.id).second, mutant.id);
+        CHECK_MESSAGE(sources.insert(mutant.source).second, mutant.id);
+    }
+    for (const char* stage : {"hemisphereFF", "antialias", "mirrorScene"}) {
+        CHECK(wrong[stage] >= 12);
+        CHECK(right[stage] >= 4);
+    }
 }
 
 TEST_CASE("a change replaces a text or a function") {

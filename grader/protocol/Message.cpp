@@ -118,13 +118,33 @@ Vec3f vectorFrom(const Json& json) {
     return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
 }
 
+Json vectorsToJson(const std::vector<Vec3f>& vectors) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(vectors.data());
+    return Json::binary({bytes, bytes + vectors.size() * sizeof(Vec3f)});
+}
+
+std::vector<Vec3f> vectorsFrom(const Json& json) {
+    const Json::binary_t& bytes = json.get_binary();
+    std::vector<Vec3f> vectors(bytes.size() / sizeof(Vec3f));
+    if (!vectors.empty()) std::memcpy(static_cast<void*>(vectors.data()), bytes.data(), vectors.size() * sizeof(Vec3f));
+    return vectors;
+}
+
+// What extensions alone are asked for.
+void addExtension(Json& json, const Step& step) {
+    if (step.samples) json["samples"] = step.samples;
+    if (step.seed) json["seed"] = step.seed;
+    if (!step.mirror.empty()) json["mirror"] = vectorsToJson(step.mirror);
+    if (step.inFloats) json["inFloats"] = true;
+}
+
 Json stepToJson(const Step& step) {
     Json json = {{"function", step.function}, {"shooter", step.shooter},   {"standIns", step.standIns},
                  {"width", step.width},       {"height", step.height},     {"hemicubeSize", step.hemicubeSize},
                  {"shots", step.shots},       {"analytic", step.analytic}, {"wanted", step.wanted}};
     json["view"] = std::vector<float>(glm::value_ptr(step.view), glm::value_ptr(step.view) + 16);
-    const auto* unshot = reinterpret_cast<const std::uint8_t*>(step.unshot.data());
-    json["unshot"] = Json::binary({unshot, unshot + step.unshot.size() * sizeof(Vec3f)});
+    json["unshot"] = vectorsToJson(step.unshot);
+    addExtension(json, step);
     if (step.state) json["state"] = wholeStateToJson(*step.state);
     return json;
 }
@@ -141,10 +161,11 @@ Step stepFromJson(const Json& json) {
     json.at("analytic").get_to(step.analytic);
     json.at("wanted").get_to(step.wanted);
     step.view = glm::make_mat4(json.at("view").get<std::vector<float>>().data());
-    const Json::binary_t& unshot = json.at("unshot").get_binary();
-    step.unshot.resize(unshot.size() / sizeof(Vec3f));
-    if (!step.unshot.empty())
-        std::memcpy(static_cast<void*>(step.unshot.data()), unshot.data(), step.unshot.size() * sizeof(Vec3f));
+    step.unshot = vectorsFrom(json.at("unshot"));
+    step.samples = json.value("samples", 0);
+    step.seed = json.value("seed", std::uint64_t{0});
+    if (json.contains("mirror")) step.mirror = vectorsFrom(json.at("mirror"));
+    step.inFloats = json.value("inFloats", false);
     if (json.contains("state")) step.state = wholeStateFromJson(json.at("state"));
     return step;
 }
@@ -156,13 +177,15 @@ Json answerToJson(const StepAnswer& answer, const std::vector<std::string>& want
                          {"eye", toJson(call.eye)},
                          {"up", toJson(call.up)},
                          {"direction", toJson(call.direction)}});
-    return {{"stop", static_cast<int>(answer.stop.kind)},
-            {"text", Json::binary({answer.stop.text.begin(), answer.stop.text.end()})},
-            {"returned", answer.returned},
-            {"shots", answer.shots},
-            {"pixels", Json::binary(answer.pixels)},
-            {"calls", calls},
-            {"state", stateToJson(answer.state, wanted)}};
+    Json json = {{"stop", static_cast<int>(answer.stop.kind)},
+                 {"text", Json::binary({answer.stop.text.begin(), answer.stop.text.end()})},
+                 {"returned", answer.returned},
+                 {"shots", answer.shots},
+                 {"pixels", Json::binary(answer.pixels)},
+                 {"calls", calls},
+                 {"state", stateToJson(answer.state, wanted)}};
+    if (!answer.picture.empty()) json["picture"] = vectorsToJson(answer.picture);
+    return json;
 }
 
 StepAnswer answerFromJson(const Json& json, const Step& step, const State& before) {
@@ -175,8 +198,10 @@ StepAnswer answerFromJson(const Json& json, const Step& step, const State& befor
     json.at("returned").get_to(answer.returned);
     json.at("shots").get_to(answer.shots);
     answer.pixels = json.at("pixels").get_binary();
-    const std::size_t pixelBytes = 3 * static_cast<std::size_t>(step.width) * static_cast<std::size_t>(step.height);
-    if (answer.pixels.size() != pixelBytes && kind == 0) throw Error("pixels: wrong size");
+    if (json.contains("picture")) answer.picture = vectorsFrom(json.at("picture"));
+    const std::size_t count = static_cast<std::size_t>(step.width) * static_cast<std::size_t>(step.height);
+    if (answer.pixels.size() != (step.inFloats ? 0 : 3 * count) && kind == 0) throw Error("pixels: wrong size");
+    if (answer.picture.size() != (step.inFloats ? count : 0) && kind == 0) throw Error("picture: wrong size");
     for (const Json& call : json.at("calls"))
         answer.calls.push_back({call.at("reads").get<bool>(), vectorFrom(call.at("eye")), vectorFrom(call.at("up")),
                                 vectorFrom(call.at("direction"))});

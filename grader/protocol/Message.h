@@ -14,7 +14,7 @@ namespace radlab::grader {
 
 /// What the worker does in one step: prepares the state, calls one function of the submission, and answers.
 struct Step {
-    std::string function;        ///< one of the six names; "solve" for the whole loop; "" to load the submission alone
+    std::string function;        ///< its name; "solve" for the whole loop; "" to load the submission alone
     std::optional<State> state;  ///< published before the call; without one, what the step before left is used
     std::vector<Vec3f> unshot;   ///< replaces unshot_rad of every patch before the call; empty: as it is
     int shooter = -1;  ///< index of the argument of distributeEnergy, and of what maxenergy_patch's stand-in returns
@@ -24,6 +24,10 @@ struct Step {
     int width = 0, height = 0;  ///< of the picture that renderPatchIDs draws, in pixels
     bool analytic = true;       ///< how "solve" finds form factors
     int shots = 0;              ///< how often "solve" shoots
+    int samples = 0;            ///< of an extension: rays to send, or samples along each side of a pixel
+    std::vector<Vec3f> mirror;  ///< of an extension: point, normal and reflectance; the mirror is the patch `shooter`
+    std::uint64_t seed = 0;     ///< of an extension's random numbers
+    bool inFloats = false;      ///< the picture is one of floats, not of IDs
     std::vector<std::string> wanted;  ///< the members that the answer brings: "patch.formF", "corner.color"
 };
 
@@ -64,6 +68,7 @@ struct StepAnswer {
         0;        ///< index of the patch returned, -1 for nullptr, -2 for something else; 0 or 1 of distributeEnergy
     State state;  ///< the members that were wanted, the others as they were made
     std::vector<std::uint8_t> pixels;  ///< red, green, blue, row by row from the bottom
+    std::vector<Vec3f> picture;        ///< row by row from the top; of a picture in floats
     std::vector<HemicubeCall> calls;
     int shots = 0;  ///< made by "solve"
 };

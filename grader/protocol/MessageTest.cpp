@@ -28,6 +28,8 @@ Request request() {
     first.wanted = {"patch.formF", "corner.colorcount"};
     Step second;
     second.function = "distributeEnergy";
+    second.samples = 65536;
+    second.seed = 0x123456789abcdef0;
     second.unshot = {Vec3f(1), Vec3f(2), Vec3f(3)};
     second.shooter = 2;
     second.wanted = {"patch.rad"};
@@ -55,6 +57,9 @@ TEST_CASE("a request arrives as it was sent") {
     REQUIRE(got.steps.size() == 2);
     CHECK(got.nonce == sent.nonce);
     CHECK(got.steps[0].function == "calcFF");
+    CHECK(got.steps[0].samples == 0);
+    CHECK(got.steps[1].samples == 65536);
+    CHECK(got.steps[1].seed == 0x123456789abcdef0);
     CHECK(got.steps[0].state->patches[1].vertex[2] == 7);
     CHECK(got.steps[0].state->patches[2].formF == 0.25f);
     CHECK(got.steps[0].state->corners[1].position == Vec3f(1, 2, 3));

@@ -204,6 +204,7 @@ json resultToJson(const Result& result) {
                    {"seed", result.seed},
                    {"protections", std::move(protections)},
                    {"stages", std::move(stages)}};
+    for (const StageResult& extension : result.extensions) object["extensions"].push_back(stageToJson(extension));
     setUnlessEmpty(object, "compiler", result.compiler);
     if (!result.compiled) object["compiled"] = false;
     setUnlessZero(object, "seconds", result.seconds);
@@ -220,6 +221,8 @@ Result resultFromJson(const json& object) {
     result.seed = file["seed"].natural();
     for (const Field& protection : file["protections"].items()) result.protections.push_back(protection.text());
     for (const Field& stage : file["stages"].items()) result.stages.push_back(stageFrom(stage));
+    if (const std::optional<Field> extensions = file.find("extensions"))
+        for (const Field& extension : extensions->items()) result.extensions.push_back(stageFrom(extension));
     result.compiler = textOrNothing(file, "compiler");
     if (const std::optional<Field> compiled = file.find("compiled")) result.compiled = compiled->boolean();
     result.seconds = numberOrZero(file, "seconds");

@@ -54,9 +54,9 @@ struct CheckResult {
     double seconds = 0.0;
 };
 
-/// The checks of one of the six functions, or of all together.
+/// The checks of one of the six functions, of all together, or of an extension.
 struct StageResult {
-    int number = 0;     ///< 1 to 6 in the order of the exercise; 7 for all together
+    int number = 0;     ///< 1 to 6 in the order of the exercise; 7 for all together; from 8 on the extensions
     std::string stage;  ///< the function's name, "calcFF"; "together"
     std::string title;
     Status status = Status::skipped;
@@ -75,6 +75,7 @@ struct Result {
     std::string compiler;                  ///< what the compiler said: any bytes
     bool compiled = true;                  ///< false: no stage could be judged, and there are no marks
     std::vector<StageResult> stages;
+    std::vector<StageResult> extensions;  ///< those that were asked for; their scores are no part of the score above
     double seconds = 0.0;
 };
 

@@ -60,6 +60,29 @@ std::string errorAfter(const std::function<void(json&)>& change) {
 
 }  // namespace
 
+TEST_CASE("extensions stand apart from the stages, and a result without any has no word of them") {
+    Result result;
+    result.score = 75;
+    result.maxScore = 100;
+    CHECK_FALSE(resultToJson(result).contains("extensions"));
+    StageResult extension;
+    extension.number = 8;
+    extension.stage = "hemisphereFF";
+    extension.status = Status::fail;
+    extension.score = 4;
+    extension.maxScore = 10;
+    result.extensions = {extension};
+    const Result read = resultFromJson(resultToJson(result));
+    CHECK(read.score == 75);
+    CHECK(read.maxScore == 100);
+    CHECK(read.stages.empty());
+    REQUIRE(read.extensions.size() == 1);
+    CHECK(read.extensions[0].stage == "hemisphereFF");
+    CHECK(read.extensions[0].number == 8);
+    CHECK(read.extensions[0].status == Status::fail);
+    CHECK(read.extensions[0].score == 4);
+}
+
 TEST_CASE("result file: has the fields of the schema radlab/result/1") {
     const json file = resultToJson(sample());
     CHECK(file["schema"] == "radlab/result/1");

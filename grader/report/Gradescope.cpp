@@ -34,6 +34,7 @@ public:
                      {"tests", Json::array()}};
         if (student.outcome != Outcome::graded) return json;
         for (const StageResult& stage : result.stages) addStage(json["tests"], stage);
+        for (const StageResult& extension : result.extensions) addStage(json["tests"], extension);
         return json;
     }
 
@@ -73,13 +74,14 @@ private:
     }
 
     Json test(const StageResult& stage, const CheckResult& check, const std::string& number) const {
-        Json json = {{"name", stageName(stage) + ": " + cut(oneLine(check.name.empty() ? check.id : check.name))},
+        Json json = {{"name", (isExtension(stage) ? "extension " : "") + stageName(stage) + ": " +
+                                  cut(oneLine(check.name.empty() ? check.id : check.name))},
                      {"number", number},
                      {"status", check.status == Status::pass ? "passed" : "failed"},
                      {"output", explanation(check)},
                      {"tags", {stageName(stage)}},
                      {"visibility", "visible"}};
-        if (check.maxScore > 0.0) {
+        if (check.maxScore > 0.0 && !isExtension(stage)) {
             json["score"] = check.score;
             json["max_score"] = check.maxScore;
         }

@@ -77,7 +77,11 @@ StageResult insteadOfStages(Status status, const std::string& claim, const std::
 }
 
 std::vector<StageResult> stagesOf(const Result& result) {
-    if (result.compiled) return result.stages;
+    if (result.compiled) {
+        std::vector<StageResult> all = result.stages;
+        all.insert(all.end(), result.extensions.begin(), result.extensions.end());
+        return all;
+    }
     return {insteadOfStages(Status::fail, "the submission compiles", result.compiler)};
 }
 

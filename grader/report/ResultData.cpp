@@ -62,8 +62,8 @@ data stageData(const StageResult& stage, const PictureOf& pictureOf) {
     data entry;
     entry.set("number", std::to_string(stage.number));
     entry.set("name", stageName(stage));
-    if (!isTogether(stage)) entry.set("is_function", true);
-    setUnlessEmpty(entry, "title", oneLine(stage.title));
+    if (!isTogether(stage) && !isExtension(stage)) entry.set("is_function", true);
+    setUnlessEmpty(entry, "title", (isExtension(stage) ? "extension, beside the marks: " : "") + oneLine(stage.title));
     setMarks(entry, stage.score, stage.maxScore);
     setStatus(entry, shownStatus(stage));
     data checks{data::type::list};
@@ -81,7 +81,7 @@ void setVerdict(data& values, const Result& result) {
     marks.set("max_score", marksText(result.maxScore));
     marks.set("score_percent", percentText(result.score, result.maxScore));
     if (hasError(result)) marks.set("not_final", true);
-    values.set("has_marks", marks);
+    if (!isOfExtensions(result)) values.set("has_marks", marks);
 }
 
 void setCompiler(data& values, const Result& result) {
@@ -110,6 +110,8 @@ void setResult(data& values, const Result& result, const PictureOf& pictureOf) {
     data stages{data::type::list};
     for (const StageResult& stage : result.stages)
         if (stage.status != Status::skipped) stages << stageData(stage, pictureOf);
+    for (const StageResult& extension : result.extensions)
+        if (extension.status != Status::skipped) stages << stageData(extension, pictureOf);
     if (!stages.is_empty_list()) values.set("has_stages", true);
     values.set("stages", stages);
 }

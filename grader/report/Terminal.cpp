@@ -52,7 +52,7 @@ std::string marksOf(const StageResult& stage) {
 
 std::vector<const StageResult*> shownStages(const Result& result) {
     std::vector<const StageResult*> shown;
-    for (const StageResult& stage : result.stages)
+    for (const StageResult& stage : judgedStages(result))
         if (stage.status != Status::skipped) shown.push_back(&stage);
     return shown;
 }
@@ -176,7 +176,7 @@ Lines explanation(const StageResult& stage, const ReportOptions& options, std::s
     std::vector<const CheckResult*> failing;
     for (const CheckResult& check : stage.checks)
         if (check.status == Status::fail) failing.push_back(&check);
-    const std::string where = isTogether(stage) ? "" : " (stage " + std::to_string(stage.number) + ")";
+    const std::string where = isTogether(stage) ? "" : " (" + placeText(stage) + ")";
     const std::string what = isTogether(stage) ? "the functions together" : cutLine(stageName(stage), longestName);
     Lines lines = {painted(what + where + ": " + std::to_string(failing.size()) + " of " +
                                std::to_string(stage.checks.size()) + " checks " +
@@ -196,7 +196,7 @@ Lines explanation(const StageResult& stage, const ReportOptions& options, std::s
 
 // What the grader itself says of its failure, which is nothing that the student did.
 Lines graderFailure(const Result& result, bool color) {
-    for (const StageResult& stage : result.stages) {
+    for (const StageResult& stage : judgedStages(result)) {
         if (!hasError(stage)) continue;
         const CheckResult* check = firstCheck(stage, Status::error);
         const std::string message = check ? oneLine(startOf(check->message, longestText)) : "";
@@ -221,6 +221,7 @@ Lines welcome(const std::vector<const StageResult*>& stages) {
 }
 
 std::string scoreLine(const Result& result) {
+    if (isOfExtensions(result)) return "extensions: " + extensionsText(result);
     return "score: " + marksText(result.score) + "/" + marksText(result.maxScore) +
            (hasError(result) ? ", not final" : "");
 }

@@ -14,10 +14,12 @@ constexpr std::size_t functionCount = 6;
 constexpr const char* checkCommand = "./radlab check";
 
 const StageResult* firstStage(const Result& result, Status status) {
-    for (const StageResult& stage : result.stages)
+    for (const StageResult& stage : judgedStages(result))
         if (stage.status == status) return &stage;
     return nullptr;
 }
+
+std::string commandFor(const StageResult& stage) { return std::string(checkCommand) + " " + oneLine(stage.stage); }
 
 // " in exercises/ProgRef.cpp", then with the file's name alone, then nothing.
 std::vector<std::string> placesToEdit(const Result& result) {
@@ -31,18 +33,17 @@ std::vector<std::string> placesToEdit(const Result& result) {
 std::vector<std::string> write(const Result& result, const StageResult& stage) {
     std::vector<std::string> steps;
     for (const std::string& place : placesToEdit(result))
-        steps.push_back("write " + stageName(stage) + " (stage " + std::to_string(stage.number) + ")" + place +
-                        ", then " + checkCommand);
+        steps.push_back("write " + stageName(stage) + " (" + placeText(stage) + ")" + place + ", then " +
+                        (isExtension(stage) ? commandFor(stage) : checkCommand));
     return steps;
 }
 
 std::vector<std::string> mend(const Result& result, const StageResult& stage, bool hintsShown) {
     const CheckResult* check = firstCheck(stage, Status::fail);
     const bool moreToSay = check && !hintsShown && !hintOf(*check).empty();
-    const std::string command = std::string(checkCommand) + " " + oneLine(stage.stage);
-    const std::string what = isTogether(stage)
-                                 ? "find why the functions fail together"
-                                 : "mend " + stageName(stage) + " (stage " + std::to_string(stage.number) + ")";
+    const std::string command = commandFor(stage);
+    const std::string what = isTogether(stage) ? "find why the functions fail together"
+                                               : "mend " + stageName(stage) + " (" + placeText(stage) + ")";
     std::vector<std::string> steps;
     for (const std::string& place : placesToEdit(result))
         steps.push_back(what + place + (moreToSay ? "; " + command + " --hint says more" : ", then " + command));
@@ -73,6 +74,12 @@ std::string statusWord(Status status) {
     return "not judged";
 }
 
+bool isExtension(const StageResult& stage) { return stage.number > static_cast<int>(functionCount) + 1; }
+
+std::string placeText(const StageResult& stage) {
+    return isExtension(stage) ? "extension" : "stage " + std::to_string(stage.number);
+}
+
 bool isTogether(const StageResult& stage) { return isTogether(stage.stage); }
 
 bool isTogether(const std::string& stage) { return stage == "together"; }
@@ -85,9 +92,21 @@ bool hasError(const StageResult& stage) {
     return stage.status == Status::error || firstCheck(stage, Status::error) != nullptr;
 }
 
+bool isOfExtensions(const Result& result) { return result.stages.empty() && !result.extensions.empty(); }
+
+const std::vector<StageResult>& judgedStages(const Result& result) {
+    return isOfExtensions(result) ? result.extensions : result.stages;
+}
+
 bool hasError(const Result& result) {
-    return std::any_of(result.stages.begin(), result.stages.end(),
-                       [](const StageResult& stage) { return hasError(stage); });
+    const std::vector<StageResult>& stages = judgedStages(result);
+    return std::any_of(stages.begin(), stages.end(), [](const StageResult& stage) { return hasError(stage); });
+}
+
+std::string extensionsText(const Result& result) {
+    double score = 0.0, most = 0.0;
+    for (const StageResult& extension : result.extensions) score += extension.score, most += extension.maxScore;
+    return marksText(score) + "/" + marksText(most) + ", beside the marks";
 }
 
 Status shownStatus(const StageResult& stage) { return hasError(stage) ? Status::error : stage.status; }
@@ -97,7 +116,7 @@ bool nothingStarted(const Result& result) {
         return stage.status == Status::notStarted || stage.status == Status::blocked || stage.status == Status::skipped;
     };
     return firstStage(result, Status::notStarted) && !hasError(result) &&
-           std::all_of(result.stages.begin(), result.stages.end(), untouched);
+           std::all_of(judgedStages(result).begin(), judgedStages(result).end(), untouched);
 }
 
 bool allRight(const Result& result) {
@@ -115,7 +134,7 @@ std::string verdictText(const Result& result) {
     if (nothingStarted(result)) return "Nothing is written yet, so nothing is wrong.";
     if (allRight(result)) return "All functions are right.";
     std::size_t functions = 0, right = 0;
-    for (const StageResult& stage : result.stages) {
+    for (const StageResult& stage : judgedStages(result)) {
         if (isTogether(stage) || stage.status == Status::skipped) continue;
         ++functions;
         if (stage.status == Status::pass) ++right;
@@ -142,6 +161,7 @@ std::vector<std::string> nextStep(const Result& result, bool hintsShown) {
     if (const StageResult* stage = firstStage(result, Status::notStarted)) return write(result, *stage);
     if (allRight(result))
         return {"nothing is left to do: all six are right; ./radlab demo --exercise shows what they draw"};
+    if (isOfExtensions(result)) return {"nothing is left to do here: what was judged is right"};
     if (firstStage(result, Status::blocked))
         return {std::string(checkCommand) + " judges all six functions, and says which one comes first"};
     return {std::string(checkCommand) + " judges all six functions"};

@@ -20,6 +20,12 @@ std::string statusWord(Status status);
 bool isTogether(const StageResult& stage);
 bool isTogether(const std::string& stage);
 
+/// Whether a stage is an extension, which counts for no marks.
+bool isExtension(const StageResult& stage);
+
+/// "stage 2" or "extension".
+std::string placeText(const StageResult& stage);
+
 /// "calcFF", or "all together"; on one line, and safe to show.
 std::string stageName(const StageResult& stage);
 std::string stageName(const std::string& stage);
@@ -27,6 +33,15 @@ std::string stageName(const std::string& stage);
 /// Whether the grader or the machine failed anywhere: in a stage, or in one of its checks.
 bool hasError(const StageResult& stage);
 bool hasError(const Result& result);
+
+/// Whether extensions alone were judged, so that there are no marks.
+bool isOfExtensions(const Result& result);
+
+/// What the report is about: the stages, or where extensions alone were judged, those.
+const std::vector<StageResult>& judgedStages(const Result& result);
+
+/// How much of the extensions is right: "8/10, beside the marks".
+std::string extensionsText(const Result& result);
 
 /// The status of a stage, or error where the grader failed in one of its checks.
 Status shownStatus(const StageResult& stage);

@@ -12,7 +12,7 @@ namespace radlab::grader {
 ///
 /// @param value    index of the wrong value in the stage's numbers
 /// @param before   what the step found
-/// @return empty where there are too many patches to print
+/// @return empty where there are too many patches to print, and for extensions
 std::string caseAsCode(const Stage& stage, const Case& asked, std::size_t step, const State& before, std::size_t value,
                        double found, double expected);
 

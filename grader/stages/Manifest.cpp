@@ -30,6 +30,7 @@ ManifestStage stageFrom(const Json& json, const std::string& file) {
     json.at("stage").get_to(stage.stage);
     json.at("title").get_to(stage.title);
     json.at("marks").get_to(stage.marks);
+    stage.file = json.value("file", "");
     double sum = 0.0;
     for (const Json& check : json.at("checks")) {
         stage.checks.push_back(checkFrom(check));
@@ -39,6 +40,15 @@ ManifestStage stageFrom(const Json& json, const std::string& file) {
         throw Error({file}, stage.stage + ": marks of its checks add up to " + std::to_string(sum) + ", expected " +
                                 std::to_string(stage.marks));
     return stage;
+}
+
+std::vector<ManifestStage> stagesFrom(const Json& json, int number, const std::string& file) {
+    std::vector<ManifestStage> stages;
+    for (const Json& stage : json) {
+        stages.push_back(stageFrom(stage, file));
+        stages.back().number = number++;
+    }
+    return stages;
 }
 
 // Names without folders: they are looked for in submissions, and written beside one another.
@@ -65,10 +75,9 @@ Manifest readManifest(const std::filesystem::path& file) {
         limits.at("seconds").get_to(manifest.seconds);
         limits.at("mebibytes").get_to(manifest.mebibytes);
         limits.at("compile_seconds").get_to(manifest.compileSeconds);
-        for (const Json& stage : json.at("stages")) {
-            manifest.stages.push_back(stageFrom(stage, file.string()));
-            manifest.stages.back().number = static_cast<int>(manifest.stages.size());
-        }
+        manifest.stages = stagesFrom(json.at("stages"), 1, file.string());
+        manifest.extensions = stagesFrom(json.value("extensions", Json::array()),
+                                         static_cast<int>(manifest.stages.size()) + 1, file.string());
         return manifest;
     } catch (const Json::exception& error) {
         throw Error({file.string()}, error.what());
@@ -78,15 +87,26 @@ Manifest readManifest(const std::filesystem::path& file) {
 const ManifestStage& Manifest::find(const std::string& nameOrNumber) const {
     const ManifestStage* found = nullptr;
     std::string names;
-    for (const ManifestStage& stage : stages) {
-        names += (names.empty() ? "" : ", ") + std::to_string(stage.number) + " " + stage.stage;
-        if (stage.stage == nameOrNumber || std::to_string(stage.number) == nameOrNumber) return stage;
-        if (nameOrNumber.empty() || stage.stage.compare(0, nameOrNumber.size(), nameOrNumber) != 0) continue;
+    std::vector<const ManifestStage*> all;
+    for (const ManifestStage& stage : stages) all.push_back(&stage);
+    for (const ManifestStage& extension : extensions) all.push_back(&extension);
+    for (const ManifestStage* stage : all) {
+        names += (names.empty() ? "" : ", ") + std::to_string(stage->number) + " " + stage->stage;
+        if (stage->stage == nameOrNumber || std::to_string(stage->number) == nameOrNumber) return *stage;
+        if (nameOrNumber.empty() || stage->stage.compare(0, nameOrNumber.size(), nameOrNumber) != 0) continue;
         if (found) throw Error("stage '" + nameOrNumber + "': found several, expected one of " + names);
-        found = &stage;
+        found = stage;
     }
     if (!found) throw Error("unknown stage '" + nameOrNumber + "': expected one of " + names);
     return *found;
+}
+
+Manifest Manifest::of(const ManifestStage& extension) const {
+    Manifest alone = *this;
+    alone.files = {extension.file};
+    alone.stages = {extension};
+    alone.extensions.clear();
+    return alone;
 }
 
 }  // namespace radlab::grader

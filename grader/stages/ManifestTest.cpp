@@ -28,18 +28,37 @@ TEST_CASE("the manifest has the six stages in the exercise's order, with the cou
     CHECK(manifest.seconds == 10.0);
 }
 
+TEST_CASE("the extensions stand beside the stages, each with a file of its own and numbered on") {
+    const Manifest manifest = readManifest(manifestFile());
+    int number = static_cast<int>(manifest.stages.size());
+    REQUIRE(manifest.extensions.size() == extensionStages().size());
+    for (const ManifestStage& extension : manifest.extensions) {
+        CHECK(extension.number == ++number);
+        CHECK(extension.isExtension());
+        CHECK(readFile(RADLAB_SOURCE_DIR "/exercises/extensions/" + extension.file).find(extension.stage) !=
+              std::string::npos);
+        const Manifest alone = manifest.of(extension);
+        CHECK(alone.files == std::vector<std::string>{extension.file});
+        REQUIRE(alone.stages.size() == 1);
+        CHECK(alone.stages[0].stage == extension.stage);
+    }
+    for (const ManifestStage& stage : manifest.stages) CHECK_FALSE(stage.isExtension());
+}
+
 TEST_CASE("every check of the manifest has its cases, and every case its check") {
     const Manifest manifest = readManifest(manifestFile());
     std::map<std::string, std::set<std::string>> written, performed;
-    for (const ManifestStage& stage : manifest.stages)
-        for (const ManifestCheck& check : stage.checks) {
-            CHECK_FALSE(check.name.empty());
-            CHECK_FALSE(check.hint.empty());
-            CHECK((check.tolerance > 0.0) == !check.references.empty());
-            (check.references.empty() ? written[stage.stage] : written["pictures"]).insert(check.id);
-        }
-    for (const std::unique_ptr<Stage>& stage : allStages())
-        for (const Check& check : stage->checks(1)) performed[stage->function()].insert(check.id);
+    for (const std::vector<ManifestStage>* stages : {&manifest.stages, &manifest.extensions})
+        for (const ManifestStage& stage : *stages)
+            for (const ManifestCheck& check : stage.checks) {
+                CHECK_FALSE(check.name.empty());
+                CHECK_FALSE(check.hint.empty());
+                CHECK((check.tolerance > 0.0) == !check.references.empty());
+                (check.references.empty() ? written[stage.stage] : written["pictures"]).insert(check.id);
+            }
+    for (const auto& stages : {allStages, extensionStages})
+        for (const std::unique_ptr<Stage>& stage : stages())
+            for (const Check& check : stage->checks(1)) performed[stage->function()].insert(check.id);
     for (const PictureCase& picture : pictureCases()) performed["pictures"].insert(picture.check);
     CHECK(written == performed);
 }
@@ -50,8 +69,9 @@ TEST_CASE("a stage is found by number, by name and by the beginning of its name"
     CHECK(manifest.find("calcFF").stage == "calcFF");
     CHECK(manifest.find("color").stage == "colorReconstruction");
     CHECK_THROWS_WITH_AS(manifest.find("calc"), doctest::Contains("several"), Error);
-    CHECK_THROWS_WITH_AS(manifest.find("8"), doctest::Contains("expected one of 1 maxenergy_patch, 2 calcAnalyticalFF"),
-                         Error);
+    CHECK(manifest.find("hemisphere").isExtension());
+    CHECK_THROWS_WITH_AS(manifest.find("12"),
+                         doctest::Contains("expected one of 1 maxenergy_patch, 2 calcAnalyticalFF"), Error);
     CHECK_THROWS_AS(manifest.find(""), Error);
 }
 

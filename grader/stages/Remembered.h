@@ -33,7 +33,9 @@ private:
 };
 
 /// Values that take long to make, kept by the fingerprint of what they follow from: mistakes share most of their pictures.
-template <class Value>
+///
+/// @tparam most  values that are kept, by default enough for a stage's 25 pictures; the largest take 5 MB
+template <class Value, std::size_t most = 64>
 class Remembered {
 public:
     template <class Make>
@@ -46,9 +48,6 @@ public:
     }
 
 private:
-    // A stage has some 25 pictures; the largest take 5 MB.
-    static constexpr std::size_t most = 64;
-
     std::map<std::uint64_t, std::shared_ptr<const Value>> values;
 };
 

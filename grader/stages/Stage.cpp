@@ -23,4 +23,12 @@ std::vector<std::unique_ptr<Stage>> allStages() {
     return stages;
 }
 
+std::vector<std::unique_ptr<Stage>> extensionStages() {
+    std::vector<std::unique_ptr<Stage>> stages;
+    stages.push_back(hemisphereStage());
+    stages.push_back(antialiasStage());
+    stages.push_back(mirrorStage());
+    return stages;
+}
+
 }  // namespace radlab::grader

@@ -35,10 +35,12 @@ struct Situation {
 /// What a function leaves behind.
 struct Outcome {
     State state;
-    int returned = 0;            ///< as in StepAnswer
-    std::vector<double> pixels;  ///< red · 65536 + green · 256 + blue, row by row from the bottom; of what is drawn
-    std::vector<double> slack;   ///< how far pixels or form factors may be off by what OpenGL leaves open; may be empty
-    Stop stop;                   ///< where it throws; text is a part of what it says
+    int returned = 0;  ///< as in StepAnswer
+    std::vector<double>
+        pixels;  ///< red · 65536 + green · 256 + blue, row by row from the bottom; of what is drawn in floats:
+                 ///< each channel by itself, row by row from the top
+    std::vector<double> slack;  ///< how far pixels or form factors may be off by what OpenGL leaves open; may be empty
+    Stop stop;                  ///< where it throws; text is a part of what it says
 };
 
 /// A way to do what a function does, right or wrong.
@@ -66,7 +68,7 @@ struct Comparison {
     const Numbers& expected;
 };
 
-/// One of the six functions: its cases, what is right, and what people believe instead.
+/// One of the six functions, or an extension: its cases, what is right, and what people believe instead.
 class Stage {
 public:
     virtual ~Stage() = default;
@@ -104,11 +106,17 @@ public:
 /// The stages that are judged apart, in the order of the exercise.
 std::vector<std::unique_ptr<Stage>> allStages();
 
+/// The extensions, in the manifest's order.
+std::vector<std::unique_ptr<Stage>> extensionStages();
+
 std::unique_ptr<Stage> maxenergyStage();
 std::unique_ptr<Stage> analyticalStage();
 std::unique_ptr<Stage> distributeStage();
 std::unique_ptr<Stage> colorStage();
 std::unique_ptr<Stage> patchIdStage();
 std::unique_ptr<Stage> hemicubeStage();
+std::unique_ptr<Stage> hemisphereStage();
+std::unique_ptr<Stage> antialiasStage();
+std::unique_ptr<Stage> mirrorStage();
 
 }  // namespace radlab::grader

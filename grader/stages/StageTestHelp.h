@@ -14,13 +14,17 @@ using Calls = std::function<std::vector<HemicubeCall>(const State& before, const
 
 inline std::vector<HemicubeCall> noCalls(const State&, const Step&) { return {}; }
 
-inline StepAnswer answerOf(const Outcome& outcome, std::vector<HemicubeCall> calls) {
+inline StepAnswer answerOf(const Step& step, const Outcome& outcome, std::vector<HemicubeCall> calls) {
     StepAnswer answer;
     answer.stop = outcome.stop;
     answer.returned = outcome.returned;
     answer.state = outcome.state;
     answer.calls = std::move(calls);
+    if (step.inFloats)
+        for (std::size_t i = 0; i + 2 < outcome.pixels.size(); i += 3)
+            answer.picture.emplace_back(outcome.pixels[i], outcome.pixels[i + 1], outcome.pixels[i + 2]);
     for (const double pixel : outcome.pixels) {
+        if (step.inFloats) break;
         const auto id = static_cast<std::uint32_t>(pixel);
         for (const int bits : {16, 8, 0}) answer.pixels.push_back(static_cast<std::uint8_t>(id >> bits));
     }
@@ -43,7 +47,7 @@ inline std::string recordsOf(const Case& asked, const Computation& computation, 
         answers[i].calls = calls(found[i], step);
         situations.push_back({found[i], step, answers[i], i ? &situations.back() : nullptr});
         const Outcome outcome = computation(situations.back());
-        records += toRecord(answerOf(outcome, answers[i].calls), 0, first + i, step.wanted);
+        records += toRecord(answerOf(step, outcome, answers[i].calls), 0, first + i, step.wanted);
         left = outcome.stop.kind == Stop::Kind::none ? outcome.state : found[i];
     }
     return records;

@@ -52,6 +52,8 @@ Outcome foundIn(const StepAnswer& answer) {
     outcome.pixels.reserve(answer.pixels.size() / 3);
     for (std::size_t i = 0; i + 2 < answer.pixels.size(); i += 3)
         outcome.pixels.push_back(answer.pixels[i] * 65536.0 + answer.pixels[i + 1] * 256.0 + answer.pixels[i + 2]);
+    for (const Vec3f& pixel : answer.picture)
+        for (int channel = 0; channel < 3; ++channel) outcome.pixels.push_back(static_cast<double>(pixel[channel]));
     return outcome;
 }
 
@@ -219,7 +221,7 @@ std::string stopText(const std::string& function, const Stop& stop) {
         case Stop::Kind::none: return function + " returned, where it should have stopped";
         case Stop::Kind::notImplemented: return stop.text + " is not written yet";
         case Stop::Kind::missing:
-            return "the file has no function " + function + " with the parameters that ProgRef.h declares";
+            return "the file has no function " + function + " with the parameters that the course's header declares";
         case Stop::Kind::load: return "the compiled file cannot be loaded: " + stop.text;
         case Stop::Kind::error: return function + " was stopped by the framework: " + stop.text;
         case Stop::Kind::exception: return function + " ended with an exception: " + stop.text;

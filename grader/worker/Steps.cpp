@@ -3,7 +3,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "base/Error.h"
-#include "course/ProgRef.h"
+#include "course/Extensions.h"
+#include "display/RayMirrorPass.h"
+#include "display/RayView.h"
 #include "gl/Framebuffer.h"
 #include "gl/IdPass.h"
 #include "gl/SavedState.h"
@@ -11,6 +13,12 @@
 #include "solver/Progressive.h"
 
 namespace radlab::grader {
+
+namespace {
+
+constexpr Vec3f stale(0.25f);  // what pictures hold before they are made
+
+}  // namespace
 
 StepAnswer Steps::perform(Step& step) {
     StepAnswer answer;
@@ -72,7 +80,32 @@ void Steps::call(const Step& step, StepAnswer& answer) {
     if (name == "colorReconstruction") submission.colorReconstruction();
     if (name == "renderPatchIDs") draw(step, answer);
     if (name == "calcFF") answer.returned = indexOf(submission.calcFF(hemicube.get()));
+    if (name == "hemisphereFF") answer.returned = indexOf(shootRays(step));
+    if (name == "antialias") answer.picture = sampled(step);
+    if (name == "mirrorScene") answer.picture = mirrored(step);
     if (name == "solve") solve(step, answer);
+}
+
+std::vector<Vec3f> Steps::sampled(const Step& step) {
+    const RayCaster scene(polygons, vertices);
+    Image picture(step.width, step.height, stale);
+    submission.antialias(RayView(scene, step.view, step.width, step.height, 1.0f), step.samples, picture);
+    return picture.data();
+}
+
+std::vector<Vec3f> Steps::mirrored(const Step& step) {
+    const MyPolygon* mirror = patchAt(step.shooter);
+    const RayMirrorPass pass(
+        polygons, vertices, [=](const MyPolygon* patch) { return patch == mirror; }, step.view, step.width,
+        step.height);
+    Image picture = pass.first();
+    submission.mirrorScene(pass, step.mirror.at(0), step.mirror.at(1), step.mirror.at(2), picture);
+    return picture.data();
+}
+
+const MyPolygon* Steps::shootRays(const Step& step) {
+    RandomNumbers random(step.seed);
+    return submission.hemisphereFF(RayCaster(polygons, vertices), step.samples, random);
 }
 
 void Steps::draw(const Step& step, StepAnswer& answer) {

@@ -30,6 +30,9 @@ private:
     void prepare(Step& step);
     void call(const Step& step, StepAnswer& answer);
     void draw(const Step& step, StepAnswer& answer);
+    std::vector<Vec3f> sampled(const Step& step);
+    std::vector<Vec3f> mirrored(const Step& step);
+    const MyPolygon* shootRays(const Step& step);
     void solve(const Step& step, StepAnswer& answer);
     void startOpenGl();
     void prepareHemicube(const Step& step);

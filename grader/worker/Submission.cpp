@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/Error.h"
-#include "course/ProgRef.h"
+#include "course/Extensions.h"
 #include "grader/worker/DrawIds.h"
 
 namespace radlab::grader {
@@ -23,6 +23,9 @@ const std::map<std::string, const char*> symbols = {
     {"colorReconstruction", "_Z19colorReconstructionv"},
     {"renderPatchIDs", "_Z14renderPatchIDsv"},
     {"calcFF", "_Z6calcFFP8Hemicube"},
+    {"mirrorScene", "_Z11mirrorSceneRK10MirrorPassRKN3glm3vecILi3EfLNS2_9qualifierE0EEES7_S7_RN6radlab5ImageE"},
+    {"antialias", "_Z9antialiasRK11PictureViewiRN6radlab5ImageE"},
+    {"hemisphereFF", "_Z12hemisphereFFRK9RayCasteriR13RandomNumbers"},
 };
 
 }  // namespace
@@ -43,7 +46,8 @@ bool Submission::has(const std::string& function) const { return dlsym(library, 
 template <class Function>
 Function* Submission::find(const std::string& function) const {
     void* address = dlsym(library, symbols.at(function));
-    if (!address) throw Error("the submission has no function " + function + " with the parameters of ProgRef.h");
+    if (!address)
+        throw Error("the submission has no function " + function + " with the parameters of the course's header");
     return reinterpret_cast<Function*>(address);
 }
 
@@ -55,6 +59,16 @@ bool Submission::distributeEnergy(MyPolygon* shooter) const {
 void Submission::colorReconstruction() const { find<decltype(::colorReconstruction)>("colorReconstruction")(); }
 void Submission::renderPatchIDs() const { find<decltype(::renderPatchIDs)>("renderPatchIDs")(); }
 MyPolygon* Submission::calcFF(Hemicube* hemicube) const { return find<decltype(::calcFF)>("calcFF")(hemicube); }
+MyPolygon* Submission::hemisphereFF(const RayCaster& scene, int rays, RandomNumbers& random) const {
+    return find<decltype(::hemisphereFF)>("hemisphereFF")(scene, rays, random);
+}
+void Submission::antialias(const PictureView& view, int samples, Image& picture) const {
+    find<decltype(::antialias)>("antialias")(view, samples, picture);
+}
+void Submission::mirrorScene(const MirrorPass& pass, const Vec3f& point, const Vec3f& normal, const Vec3f& reflectance,
+                             Image& picture) const {
+    find<decltype(::mirrorScene)>("mirrorScene")(pass, point, normal, reflectance, picture);
+}
 
 void Submission::standIn(MyPolygon* shooter) {
     standing = true;

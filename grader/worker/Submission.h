@@ -4,12 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "course/Vec3f.h"
+
 class Hemicube;
+class MirrorPass;
+class PictureView;
+class RandomNumbers;
+class RayCaster;
 struct MyPolygon;
+
+namespace radlab {
+class Image;
+}
 
 namespace radlab::grader {
 
-/// The six functions of a submission, out of its shared library.
+/// The six functions of a submission, or an extension's, out of its shared library.
 ///
 /// Whatever in this process calls one of the six by name, the library itself included, comes through here: so the worker can stand in for
 /// maxenergy_patch and renderPatchIDs where others call them, and a mistake in one does not reach the others.
@@ -20,7 +30,7 @@ public:
     /// Errors: what the dynamic linker says.
     explicit Submission(const std::filesystem::path& library);
 
-    /// Whether the library has the function of that name, with the parameters that ProgRef.h declares.
+    /// Whether the library has the function of that name, with the parameters that the course's header declares.
     bool has(const std::string& function) const;
 
     /// Calls the library's own function, whatever stands in.
@@ -30,6 +40,10 @@ public:
     void colorReconstruction() const;
     void renderPatchIDs() const;
     MyPolygon* calcFF(Hemicube* hemicube) const;
+    MyPolygon* hemisphereFF(const RayCaster& scene, int rays, RandomNumbers& random) const;
+    void antialias(const PictureView& view, int samples, Image& picture) const;
+    void mirrorScene(const MirrorPass& pass, const Vec3f& point, const Vec3f& normal, const Vec3f& reflectance,
+                     Image& picture) const;
 
     /// What calls of maxenergy_patch by others return while standing in, and that renderPatchIDs is ours.
     void standIn(MyPolygon* shooter);
