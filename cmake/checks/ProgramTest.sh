@@ -10,3 +10,19 @@ wrong() { echo "$claim: $*" >&2; exit 1; }
 run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
 exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
 says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+
+# Starts the program, and presses Ctrl-C once it has printed a line with this. In a shell's background SIGINT is ignored,
+# which a program that is started by env can undo.
+interrupted() {
+    line=$1
+    shift
+    env --default-signal=INT "$program" "$@" >out 2>err </dev/null &
+    child=$!
+    until grep -q -- "$line" out; do
+        kill -0 $child 2>/dev/null || break
+        sleep 0.1
+    done
+    kill -INT $child
+    code=0
+    wait $child || code=$?
+}

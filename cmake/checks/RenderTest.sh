@@ -2,19 +2,7 @@
 # Tests of the program render as its user sees it: RenderTest.sh PROGRAM PROJECT CLAIM
 . "$(dirname "$0")/ProgramTest.sh"
 
-# Starts the program, and presses Ctrl-C once it has read the scene and says so. In a shell's background SIGINT is
-# ignored, which a program that is started by env can undo.
-interrupted() {
-    env --default-signal=INT "$program" "$@" >out 2>err </dev/null &
-    child=$!
-    until grep -q '^indirect\|patches of size' out; do
-        kill -0 $child 2>/dev/null || break
-        sleep 0.1
-    done
-    kill -INT $child
-    code=0
-    wait $child || code=$?
-}
+read_scene='^indirect\|patches of size'
 
 case $claim in
     "in the furnace every patch shines as E/(1-rho), whole or cut, with one channel solved")
@@ -147,7 +135,7 @@ case $claim in
         ;;
     "Ctrl-C ends shooting with a whole picture and mesh of the light shot so far, and exit code 130")
         # The light is never all shot: without Ctrl-C this would take hours.
-        interrupted "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
+        interrupted "$read_scene" "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
             --rays 100000 --width 32 --height 32 -o box.png -o box.glb
         exits 130
         says out ' of the light unshot'
@@ -159,7 +147,7 @@ case $claim in
         [ -z "$(ls | grep part)" ] || wrong "left behind: $(ls)"
         ;;
     "Ctrl-C ends form factors with exit code 130 and leaves no file")
-        interrupted "$project/resources/scenes/cornell_2.x3d" --patch-size 20 --method hemisphere --rays 1000000 \
+        interrupted "$read_scene" "$project/resources/scenes/cornell_2.x3d" --patch-size 20 --method hemisphere --rays 1000000 \
             -o box.png -o box.ply
         exits 130
         says err 'interrupted: nothing'

@@ -32,6 +32,18 @@ case $claim in
         exits 0
         says out "1 settings measured, $((measured - 1)) kept as they were"
         ;;
+    "Ctrl-C keeps what is measured, on a page, and the same command goes on")
+        cp "$room" second.x3d
+        interrupted 'furnace: .* settings measured' "$room" second.x3d --patches 60 --limit 100 --out made
+        exits 130
+        says out 'stopped by Ctrl-C'
+        says out 'the same command goes on'
+        says made/index.html 'furnace'
+        [ -z "$(find . -name '*.part')" ] || wrong "left behind: $(ls made)"
+        run second.x3d "$room" --patches 60 --limit 100 --out made
+        exits 0
+        says out 'furnace: 0 settings measured'
+        ;;
     "what is wrong is said before any work, with exit code 2, and leaves no file")
         run "$room" --repeat 0
         exits 2

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
 #include "course/ProgRef.h"
@@ -104,6 +105,7 @@ private:
 
     // Adds a picture; where a function is a stub or goes wrong, one that says so.
     void add(const DemoText& words, const std::function<Image(Figures&)>& draw) {
+        if (Interrupts::caught()) return;
         DemoPicture picture{words, {}, {}, Outcome::made, ""};
         try {
             picture.image = draw(picture.figures);
@@ -313,7 +315,7 @@ private:
             unshotAfter.push_back(now.unshotShare);
             bar.show(doneShare(unshotAfter),
                      std::to_string(now.shots) + " shots, " + percent(now.unshotShare) + " unshot");
-            return true;
+            return !Interrupts::caught();
         });
     }
 

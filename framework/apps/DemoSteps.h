@@ -41,6 +41,7 @@ struct Demo {
 /// Runs the six functions, stage by stage, on the empty and the furnished scene.
 ///
 /// A stub, or a function that leaves something impossible behind, ends its stage with a picture that says so; the others go on.
+/// Once Interrupts has caught something, the picture at hand shows the shots made so far, and no other is begun.
 ///
 /// @param empty, furnished settings files (Resource.xml)
 /// @param report called with each picture when it is ready

@@ -4,6 +4,7 @@
 
 #include "apps/CommandLine.h"
 #include "apps/DemoPage.h"
+#include "base/Interrupts.h"
 #include "gl/Context.h"
 
 namespace {
@@ -38,9 +39,13 @@ int main(int argc, char** argv) {
     flags.footer(
         "Example: ./radlab demo --out /tmp/demo\n         ./radlab demo --exercise   (first: your own functions)");
     return radlab::runCommandLine(flags, argc, argv, [&] {
+        const radlab::Interrupts interrupts;
         const auto context = radlab::GlContext::offscreen();
         const radlab::Demo demo = radlab::makeDemo(empty, furnished, tell);
+        if (demo.pictures.empty()) radlab::Interrupts::check();
         tellNextStep(demo, radlab::writeDemo(demo, out).string());
-        return 0;
+        if (!radlab::Interrupts::caught()) return 0;
+        std::cout << "stopped by Ctrl-C: the page shows the " << demo.pictures.size() << " pictures made so far\n";
+        return 130;
     });
 }

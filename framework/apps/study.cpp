@@ -6,6 +6,7 @@
 
 #include "apps/CommandLine.h"
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "base/Warning.h"
@@ -68,7 +69,21 @@ void tell(const StudiedScene& studied) {
     std::cout << std::flush;
 }
 
+// Studies one scene after the other until Ctrl-C; those that were not begun are dropped.
+void studyAll(std::vector<StudiedScene>& scenes, const StudyPlan& plan, bool openGl,
+              const std::filesystem::path& folder, StudyResults& results) {
+    std::size_t begun = 0;
+    for (StudiedScene& studied : scenes) {
+        if (Interrupts::caught()) break;
+        studied.report = studyScene(studied.scene, plan, openGl, folder, results);
+        tell(studied);
+        if (studied.report.measured + studied.report.kept > 0) ++begun;
+    }
+    scenes.erase(scenes.begin() + static_cast<std::ptrdiff_t>(begun), scenes.end());
+}
+
 int makeStudy(const Flags& flags) {
+    const Interrupts interrupts;
     const Stopwatch watch;
     const StudyPlan plan = planOf(flags);
     std::vector<StudiedScene> scenes = readScenes(flags.scenes.empty() ? usualScenes() : flags.scenes);
@@ -76,13 +91,13 @@ int makeStudy(const Flags& flags) {
     StudyResults results(folder / "results.csv", flags.fresh);
     makeFolder(folder);
     const auto context = openGlIfAny();
-    for (StudiedScene& studied : scenes) {
-        studied.report = studyScene(studied.scene, plan, context != nullptr, folder, results);
-        tell(studied);
-    }
+    studyAll(scenes, plan, context != nullptr, folder, results);
+    if (scenes.empty()) Interrupts::check();
     const std::filesystem::path page = writeStudy(folder, plan, scenes, results);
-    std::cout << "done in " << durationText(watch.seconds()) << ": open " << page.string() << '\n';
-    return 0;
+    const bool stopped = Interrupts::caught();
+    std::cout << (stopped ? "stopped by Ctrl-C after " : "done in ") << durationText(watch.seconds()) << ": open "
+              << page.string() << (stopped ? "; the same command goes on" : "") << '\n';
+    return stopped ? 130 : 0;
 }
 
 void describe(CLI::App& app, Flags& flags) {

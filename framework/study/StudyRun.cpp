@@ -6,6 +6,7 @@
 
 #include "base/Error.h"
 #include "base/ImageFile.h"
+#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "engine/RelativeError.h"
@@ -55,7 +56,7 @@ public:
 
     SceneReport run() {
         ProgressBar bar(scene.name, static_cast<double>(steps.size()), "settings");
-        for (std::size_t i = 0; i < steps.size(); ++i) {
+        for (std::size_t i = 0; i < steps.size() && !Interrupts::caught(); ++i) {
             if (isKept(steps[i])) {
                 ++report.kept;
                 continue;
