@@ -44,7 +44,7 @@ def pandoc(text):
     """All chapters as one HTML text: a section of level 1 for each."""
     if not shutil.which("pandoc"):
         fail("pandoc was not found; on Debian: apt-get install pandoc")
-    command = ["pandoc", "--from=markdown-implicit_figures+implicit_figures", "--to=html5", "--mathml", "--citeproc",
+    command = ["pandoc", "--from=markdown", "--to=html5", "--mathml", "--citeproc",
                "--section-divs", "--number-sections", "--no-highlight", "--wrap=none", "--fail-if-warnings",
                f"--bibliography={ROOT / 'resources/references.bib'}", "--metadata=link-citations:true"]
     done = subprocess.run(command, input=text, text=True, stdout=subprocess.PIPE)
@@ -55,6 +55,7 @@ def pandoc(text):
 
 def figures_in(body):
     """Figures with their numbers; drawings stand in the page, so that its colours reach them."""
+    body = re.sub(r'<mo stretchy="true"( form="p\w+fix")>([()])</mo>', r'<mo stretchy="false"\1>\2</mo>', body)  # no line is tall
     count = iter(range(1, 1000))
     body = re.sub(r"<figcaption[^>]*>", lambda _: f"<figcaption><b>Figure {next(count)}.</b> ", body)
 

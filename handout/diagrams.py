@@ -191,28 +191,27 @@ def bits():
 
 
 def delta():
-    d = Drawing(620, 300, "A pixel of the top face and one of a side face of the hemicube")
-    o = (310, 260)
+    d = Drawing(620, 200, "A pixel of the top face and one of a side face of the hemicube")
     for x, where in ((150, "top"), (470, "side")):
-        o = (x, 250)
-        d.line((x - 130, 250), (x + 130, 250), SOFT)
-        d.rect(x - 90, 160, 180, 90)
+        o, pixel = (x, 165), (x + 45, 75) if where == "top" else (x + 90, 120)
+        d.line((x - 130, 165), (x + 130, 165), SOFT)
+        d.rect(x - 90, 75, 180, 90)
         d.dot(o)
-        d.line(o, (x, 130), INK, 1.2, "5 4", arrow=True)
-        pixel = (x + 45, 160) if where == "top" else (x + 90, 205)
+        d.line(o, (x, 45), INK, 1.2, "5 4", arrow=True)
         d.line(o, pixel, WARM, 2, arrow=True)
         if where == "top":
-            d.line((x + 37, 160), (x + 53, 160), WARM, 6)
-            d.symbol((x + 22, 152), "x")
-            d.text((x - 62, 210), "height 1", 14)
+            d.line((x + 37, 75), (x + 53, 75), WARM, 6)
+            d.symbol((x + 22, 67), "x")
+            d.text((x - 58, 125), "height 1", 14)
             d.arc(o, 45, 64, 90)
+            d.symbol((x + 13, 106), "θ", "s")
         else:
-            d.line((x + 90, 197), (x + 90, 213), WARM, 6)
-            d.symbol((x + 104, 232), "z")
-            d.text((x + 45, 268), "distance 1", 14)
+            d.line((x + 90, 112), (x + 90, 128), WARM, 6)
+            d.symbol((x + 104, 147), "z")
+            d.text((x + 45, 185), "distance 1", 14)
             d.arc(o, 38, 27, 90)
-        d.symbol((x + (14 if where == "top" else 24), 212 if where == "top" else 208), "θ", "s")
-        d.text((x, 100), f"a pixel of the {where} face", 16)
+            d.symbol((x + 26, 120), "θ", "s")
+        d.text((x, 24), f"a pixel of the {where} face", 16)
     return d
 
 

@@ -116,7 +116,7 @@ std::vector<Point> lightOf(const HandoutScene& room, const FormFactorMatrix& fac
 struct Truth {
     explicit Truth(const HandoutScene& room)
         : exact(formFactors(room.geometry, handoutMethod(Method::visibility, 1024))),
-          centre(formFactors(room.geometry, handoutMethod(Method::hemicube, 0, 2048))),
+          centre(formFactors(room.geometry, handoutMethod(Method::hemicube, 0, 1024))),
           light(lightOf(room, exact)) {}
 
     FormFactorMatrix exact, centre;

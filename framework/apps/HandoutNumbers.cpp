@@ -29,6 +29,17 @@ std::string withCommas(std::size_t number) {
     return digits;
 }
 
+// With commas from a thousand on.
+std::string rounded(double value) {
+    return value < 1000.0 ? text("%.3g", value) : withCommas(static_cast<std::size_t>(std::lround(value)));
+}
+
+// As TeX has it: 1.94 times a power of ten.
+std::string scientific(double value) {
+    const int power = static_cast<int>(std::floor(std::log10(value)));
+    return "$" + text("%.2f", value / std::pow(10.0, power)) + "\\cdot 10^{" + std::to_string(power) + "}$";
+}
+
 const Point right(1.0, 0.0, 0.0), up(0.0, 1.0, 0.0), out(0.0, 0.0, 1.0);
 
 // A form factor by the point to point formula, from the centre to the whole, and exactly.
@@ -38,7 +49,7 @@ void addPair(Json& numbers, const std::string& name, const Polygon& from, const 
     numbers[name + "_exact"] = text("%.4f", exact);
     numbers[name + "_point"] = text("%.4f", point);
     numbers[name + "_centre"] = text("%.4f", centre);
-    numbers[name + "_point_error"] = text("%.3g %%", 100.0 * std::abs(point / exact - 1.0));
+    numbers[name + "_point_error"] = rounded(100.0 * std::abs(point / exact - 1.0)) + " %";
     numbers[name + "_centre_error"] = text("%.2g %%", 100.0 * std::abs(centre / exact - 1.0));
 }
 
@@ -69,13 +80,13 @@ void addMesh(Json& numbers, const std::string& name, float patchSize) {
     const HandoutScene room("cornell_2", patchSize);
     numbers[name + "_patches"] = withCommas(room.mesh.patches.size());
     numbers[name + "_vertices"] = withCommas(room.mesh.corners.size());
-    numbers[name + "_matrix"] = text("%.3g", matrixBytes(static_cast<double>(room.mesh.patches.size())) / 1e6);
+    numbers[name + "_matrix"] = rounded(matrixBytes(static_cast<double>(room.mesh.patches.size())) / 1e6);
 }
 
 void addHemicube(Json& numbers) {
     const Hemicube large(256), small(8);
-    numbers["delta_256_top"] = text("%.3g", static_cast<double>(large.getDeltaFormFactor(256, 256)));
-    numbers["delta_256_rim"] = text("%.3g", static_cast<double>(large.getDeltaFormFactor(0, 256)));
+    numbers["delta_256_top"] = scientific(static_cast<double>(large.getDeltaFormFactor(256, 256)));
+    numbers["delta_256_rim"] = scientific(static_cast<double>(large.getDeltaFormFactor(0, 256)));
     numbers["delta_256_ratio"] =
         text("%.0f", static_cast<double>(large.getDeltaFormFactor(256, 256) / large.getDeltaFormFactor(0, 256)));
     double top = 0.0;
