@@ -46,5 +46,5 @@ set format x "%g"
 set format y "%.2f"
 set xlabel "pixel along a row of the picture, across the back wall"
 set ylabel "radiance, green channel"
-set key top right
+set key bottom center
 plot "profile.dat" using 1:2 with lines ls 2 title "flat", "" using 1:3 with lines ls 1 title "smooth"
