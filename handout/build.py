@@ -2,7 +2,7 @@
 """Builds the handout: out/handout/index.html with a page for each chapter, and radlab.pdf.
 
   ./radlab handout            the pages and the PDF
-  ./radlab handout --figures  makes all figures and numbers anew from the scenes, some minutes
+  ./radlab handout --figures  makes all figures and numbers anew from the scenes, some minutes (or steps of it: --figures race)
   ./radlab handout --api      the documentation of the source: out/handout/api/index.html
 """
 import html
@@ -158,8 +158,8 @@ def main():
         print(__doc__.strip())
     elif words == ["--api"]:
         api()
-    elif words[:1] == ["--figures"] and len(words) == 2:
-        sys.exit(subprocess.run([HERE / "figures.py", words[1]]).returncode)
+    elif words[:1] == ["--figures"] and len(words) > 1:
+        sys.exit(subprocess.run([HERE / "figures.py", *words[1:]]).returncode)
     elif not words:
         build()
     else:

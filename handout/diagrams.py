@@ -260,17 +260,22 @@ DIAGRAMS = {"balance": balance, "pair": pair, "additivity": additivity, "subdivi
             "bits": bits, "delta": delta, "unfolded": unfolded, "nusselt": nusselt}
 
 
-def main():
-    check = sys.argv[1:] == ["--check"]
-    stale = []
+def write_all():
     for name, draw in DIAGRAMS.items():
-        file, text = FIGURES / f"{name}.svg", draw().svg()
-        if check and (not file.exists() or file.read_text() != text):
-            stale.append(file.name)
-        elif not check:
-            file.write_text(text)
-    if stale:
-        sys.exit(f"{', '.join(stale)}: found another drawing than diagrams.py makes; run handout/diagrams.py")
+        (FIGURES / f"{name}.svg").write_text(draw().svg())
+
+
+def stale():
+    """The names of drawings that are missing, or other than what is drawn now."""
+    files = {FIGURES / f"{name}.svg": draw for name, draw in DIAGRAMS.items()}
+    return [file.name for file, draw in files.items() if not file.exists() or file.read_text() != draw().svg()]
+
+
+def main():
+    if sys.argv[1:] != ["--check"]:
+        write_all()
+    elif stale():
+        sys.exit(f"{', '.join(stale())}: found another drawing than diagrams.py makes; run handout/diagrams.py")
 
 
 if __name__ == "__main__":
