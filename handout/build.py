@@ -53,9 +53,16 @@ def pandoc(text):
     return done.stdout
 
 
+def set_better(body):
+    """Equations with brackets of the line's height and functions without wide gaps; flags that do not break after a hyphen."""
+    body = re.sub(r'<mo stretchy="true"( form="p\w+fix")>([()])</mo>', r'<mo stretchy="false"\1>\2</mo>', body)
+    body = re.sub(r"<mo>(cos|sin|max)</mo>", r'<mspace width="0.1em"/><mi>\1</mi><mspace width="0.15em"/>', body)
+    return re.sub(r"<code>([^<]*)</code>", lambda span: re.sub(r"(?<!\S)(--?[a-z][\w-]*)", r'<span class="flag">\1</span>', span.group(0)),
+                  body)
+
+
 def figures_in(body):
     """Figures with their numbers; drawings stand in the page, so that its colours reach them."""
-    body = re.sub(r'<mo stretchy="true"( form="p\w+fix")>([()])</mo>', r'<mo stretchy="false"\1>\2</mo>', body)  # no line is tall
     count = iter(range(1, 1000))
     body = re.sub(r"<figcaption[^>]*>", lambda _: f"<figcaption><b>Figure {next(count)}.</b> ", body)
 
@@ -79,7 +86,7 @@ def sections_of(body):
 def contents(sections, here=""):
     rows = [f'<li{" class=here" if key == here else ""}><a href="{page_of(key)}">{title}</a></li>'
             for key, _, title, _ in sections]
-    return "<ol>" + "".join(rows) + "</ol>"
+    return "<ol start=0>" + "".join(rows) + "</ol>"
 
 
 def page_of(key):
@@ -120,7 +127,7 @@ def write_pdf(sections):
     if not browser:
         fail("chromium was not found, so there is no PDF; on Debian: apt-get install chromium")
     rows = "".join(f'<li><a href="#{key}">{title}</a></li>' for key, _, title, _ in sections)
-    body = (HERE / "cover.html").read_text() + f'<nav class="toc"><ol>{rows}</ol></nav>' + "".join(s[3] for s in sections)
+    body = (HERE / "cover.html").read_text() + f'<nav class="toc"><ol start=0>{rows}</ol></nav>' + "".join(s[3] for s in sections)
     body = body.replace('loading="lazy" ', "")
     style = '<link rel="stylesheet" href="style.css">'
     (OUT / "print.html").write_text(f'<!doctype html><html lang="en" class="print"><meta charset="utf-8">'
@@ -135,7 +142,7 @@ def write_pdf(sections):
 
 def build():
     OUT.mkdir(parents=True, exist_ok=True)
-    sections = sections_of(figures_in(pandoc(source())))
+    sections = sections_of(figures_in(set_better(pandoc(source()))))
     shutil.copytree(HERE / "figures", OUT / "figures", dirs_exist_ok=True)
     shutil.copy(HERE / "style.css", OUT)
     write_pages(sections)

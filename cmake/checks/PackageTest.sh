@@ -41,7 +41,7 @@ case $claim in
         exits 0
         unpack ../students.zip new
         for name in radlab README.md LICENSE CMakeLists.txt exercises/ProgRef.cpp framework/course/ProgRef.h .gitignore \
-            grader/stages/manifest.json grader/apps/check.cpp resources/reference/calcFF.png .github/workflows/check.yml; do
+            grader/stages/manifest.json grader/apps/check.cpp handout/01-radiosity.md handout/build.py handout/figures/pair.svg resources/reference/calcFF.png .github/workflows/check.yml; do
             has new "radlab/$name"
         done
         has_none new '/(solutions|mutants|attacks|batch|intake|packaging|\.ci)/|Test\.cpp$|grade\.cpp|BENCHMARKS'
