@@ -21,8 +21,8 @@ done
 [ "$(find . -maxdepth 1 -name '*.html' | wc -l)" = $(($(find "$work/handout" -name '[0-9][0-9]-*.md' | wc -l) + 1)) ] || wrong "pages: $(ls)"
 grep -q '<math' stage-6.html || wrong "no equations in MathML"
 ! grep -l '{{' ./*.html || wrong "a number was not filled in"
-! grep -hoE '(src|href)="https?:[^"]*"' ./*.html | grep -v 'doi.org\|href' || wrong "something is fetched from a network"
-grep -ho '\(src\|href\)="[^"#:]*' ./*.html | sed 's/.*="//' | sort -u | while read -r name; do
+! grep -hoE '(src="|<link[^>]*href=")https?:' ./*.html || wrong "something is fetched from a network"
+grep -hoE '(src|href)="[^"]*"' ./*.html | sed 's/.*="//; s/"$//; s/#.*//' | grep -v : | sort -u | while read -r name; do
     [ -z "$name" ] || [ -e "$name" ] || wrong "a page refers to $name, which is not there"
 done
 [ "$(head -c 5 radlab.pdf)" = %PDF- ] && [ "$(wc -c <radlab.pdf)" -gt 300000 ] || wrong "the PDF: $(ls -l radlab.pdf)"
