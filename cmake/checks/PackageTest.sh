@@ -42,7 +42,8 @@ case $claim in
         unpack ../students.zip new
         for name in radlab README.md LICENSE CMakeLists.txt exercises/ProgRef.cpp framework/course/ProgRef.h .gitignore \
             exercises/extensions/Hemisphere.cpp exercises/extensions/AntiAliasing.cpp exercises/extensions/Mirror.cpp framework/course/Extensions.h \
-            grader/stages/manifest.json grader/apps/check.cpp resources/reference/calcFF.png .github/workflows/check.yml; do
+            grader/stages/manifest.json grader/apps/check.cpp resources/reference/calcFF.png .github/workflows/check.yml \
+            handout/01-radiosity.md handout/build.py handout/figures/pair.svg; do
             has new "radlab/$name"
         done
         has_none new '/(solutions|mutants|attacks|batch|intake|packaging|\.ci)/|Test\.cpp$|grade\.cpp|BENCHMARKS'

@@ -38,7 +38,7 @@ says() { grep -qF -- "$2" "$work/$1" || wrong "expected '$2', found: $(cat "$wor
 case $claim in
     "help lists every command")
         run "$project/radlab" help
-        for name in demo test check watch view render plan study grade package bench help; do
+        for name in demo test check watch view render plan study grade handout package bench help; do
             grep -q "^  $name " "$work/out" || wrong "no $name"
         done
         cp "$work/out" "$work/help"
