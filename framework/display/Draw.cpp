@@ -19,21 +19,6 @@ namespace radlab {
 
 namespace {
 
-void setCamera(const View& view) {
-    const Camera& camera = view.camera;
-    const glm::dvec3 eye(camera.position), direction(camera.direction);
-    const ViewDepth depth = viewDepth(polygons, vertices, eye, direction);
-    // What is d away and inside the picture lies at least d times the cosine of its corner deep.
-    const double nearest = 0.25 * depth.nearest;
-    const double half = nearest * std::tan(0.5 * static_cast<double>(camera.fieldOfView));
-    const double smaller = std::min(view.width, view.height);
-    const double x = half * view.width / smaller, y = half * view.height / smaller;
-    glMatrixMode(GL_PROJECTION);
-    glLoadMatrixd(glm::value_ptr(glm::frustum(-x, x, -y, y, nearest, depth.farthest)));
-    glMatrixMode(GL_MODELVIEW);
-    glLoadMatrixd(glm::value_ptr(glm::lookAt(eye, eye + direction, glm::dvec3(camera.up))));
-}
-
 // Colours beyond 0..1 go through as they are.
 void turnClampingOff() {
     constexpr GLenum clampVertexColor = 0x891a, clampFragmentColor = 0x891b, clampReadColor = 0x891c;
@@ -121,6 +106,26 @@ void drawOutlines(int samples) {
 
 }  // namespace
 
+void setCamera(const View& view) {
+    const Camera& camera = view.camera;
+    const glm::dvec3 eye(camera.position), direction(camera.direction);
+    const ViewDepth depth = viewDepth(polygons, vertices, eye, direction);
+    // What is d away and inside the picture lies at least d times the cosine of its corner deep.
+    const double nearest = 0.25 * depth.nearest;
+    const double half = nearest * std::tan(0.5 * static_cast<double>(camera.fieldOfView));
+    const double smaller = std::min(view.width, view.height);
+    const double x = half * view.width / smaller, y = half * view.height / smaller;
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixd(glm::value_ptr(glm::frustum(-x, x, -y, y, nearest, depth.farthest)));
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixd(glm::value_ptr(glm::lookAt(eye, eye + direction, glm::dvec3(camera.up))));
+}
+
+glm::vec3 unlitColor(const MyPolygon& patch) {
+    const bool emits = patch.emissive != Vec3f(0.0f);
+    return emits ? glm::vec3(1.0f, 0.9f, 0.5f) : 0.25f + 0.7f * patch.diffuse;
+}
+
 Image drawRadiance(const View& view, Shading shading) {
     return drawInto(view, [&] {
         if (shading == Shading::flat)
@@ -149,17 +154,12 @@ Image drawIds(const View& view, const std::function<void()>& draw) {
 }
 
 Image drawWireframe(const View& view) {
-    const auto unlit = [](std::size_t i) {
-        const MyPolygon& patch = *polygons[i];
-        const bool emits = patch.emissive != Vec3f(0.0f);
-        return emits ? glm::vec3(1.0f, 0.9f, 0.5f) : 0.25f + 0.7f * patch.diffuse;
-    };
     View fine = view;
     fine.samples = std::max(view.samples, 4);
     const Image lines = drawInto(fine, [&] {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(1.0f, 2.0f);
-        drawFlat(unlit);
+        drawFlat([](std::size_t i) { return unlitColor(*polygons[i]); });
         drawOutlines(fine.samples);
     });
     return toneMap(lines, 1.0f);

@@ -17,6 +17,14 @@ struct View {
     glm::vec3 background = glm::vec3(0.0f);  ///< linear RGB
 };
 
+/// Sets the matrices to a view of `polygons`, for a viewport of the view's shape.
+///
+/// @pre a GlContext is current
+void setCamera(const View& view);
+
+/// The colour of an unlit patch: its reflectance, lifted so that black ones show; pale yellow where it emits. Linear RGB.
+glm::vec3 unlitColor(const MyPolygon& patch);
+
 /// How colours are spread over patches.
 enum class Shading {
     flat,    ///< one colour a patch
