@@ -139,17 +139,30 @@ Image drawColors(const View& view, const std::function<glm::vec3(std::size_t)>& 
     return drawInto(view, [&] { drawFlat(color); });
 }
 
-Image drawIds(const View& view, const std::function<void()>& draw) {
+std::vector<std::uint32_t> readIds(const View& view, const std::function<void()>& draw) {
     SavedState saved;
     const Framebuffer framebuffer(view.width * view.samples, view.height * view.samples, Framebuffer::Color::bytes);
     beginDrawing(view, framebuffer, glm::vec3(0.0f));
     draw();
     saved.checkBalance();
-    Image image = readImage(framebuffer);
-    for (glm::vec3& pixel : image.data()) {
-        const glm::ivec3 bytes(glm::round(pixel * 255.0f));
-        pixel = idColor(static_cast<std::size_t>(bytes.r << 16 | bytes.g << 8 | bytes.b));
-    }
+    std::vector<std::uint8_t> bytes(std::size_t{4} *
+                                    static_cast<std::size_t>(framebuffer.width() * framebuffer.height()));
+    framebuffer.bind();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    glReadPixels(0, 0, framebuffer.width(), framebuffer.height(), GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    std::vector<std::uint32_t> ids(bytes.size() / 4);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        ids[i] = std::uint32_t{bytes[4 * i]} << 16 | std::uint32_t{bytes[4 * i + 1]} << 8 | bytes[4 * i + 2];
+    return ids;
+}
+
+Image drawIds(const View& view, const std::function<void()>& draw) {
+    const std::vector<std::uint32_t> ids = readIds(view, draw);
+    Image image(view.width * view.samples, view.height * view.samples);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            image.at(x, image.height() - 1 - y) = idColor(ids[static_cast<std::size_t>(y * image.width() + x)]);
     return image.shrunk(view.samples);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "base/Image.h"
 #include "course/DataFormat.h"
@@ -45,6 +47,14 @@ Image drawRadiance(const View& view, Shading shading);
 /// @param color what patch i shows, linear RGB
 /// @pre as drawRadiance
 Image drawColors(const View& view, const std::function<glm::vec3(std::size_t i)>& color);
+
+/// Draws patch IDs with the given function and reads them back: what it drew, 0 where there is background.
+///
+/// @param draw what the course calls renderPatchIDs; whatever it does to the OpenGL state is undone
+/// @pre as drawRadiance
+/// @return width·samples x height·samples IDs, row by row from the bottom
+/// Errors: draw leaving a glBegin open.
+std::vector<std::uint32_t> readIds(const View& view, const std::function<void()>& draw);
 
 /// Draws patch IDs with the given function and shows every ID that comes back in its false colour.
 ///

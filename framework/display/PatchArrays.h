@@ -53,7 +53,7 @@ private:
     void paintPatch(std::size_t patch, const glm::vec3& color);
     void bindPositions() const;
 
-    std::vector<Point> points;            // of each patch: its middle, then its corners
+    std::vector<Point> points;             // of each patch: its middle, then its corners
     std::vector<GLuint> triangles, lines;  // indices of points
     std::vector<std::size_t> firstCorner;  // of each patch, the index of its first corner in points
     std::vector<int> vertexOf;             // of each point the index in `vertices`; -1 for middles

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/Effects.h"
 #include "scene/ResourceFile.h"
 #include "scene/Scene.h"
 
@@ -9,5 +10,8 @@ namespace radlab {
 ///
 /// @return analytic where no face can hide a part of another, hemicube elsewhere; never automatic
 FormFactorMethod formFactorMethod(const Resource& resource, const Scene& scene);
+
+/// The same where the scene's effects are known already.
+FormFactorMethod formFactorMethod(FormFactorMethod wanted, const Effects& effects);
 
 }  // namespace radlab

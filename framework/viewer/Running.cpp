@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <exception>
 #include <string>
 
 #include "base/Error.h"
@@ -12,7 +13,8 @@ namespace radlab {
 namespace {
 
 constexpr std::array<const char*, 8> names{
-    "", "maxenergy_patch", "calcAnalyticalFF", "distributeEnergy", "colorReconstruction", "renderPatchIDs", "calcFF", "loading"};
+    "",       "maxenergy_patch", "calcAnalyticalFF", "distributeEnergy", "colorReconstruction", "renderPatchIDs",
+    "calcFF", "loading"};
 
 std::int64_t nanoseconds() {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
@@ -21,7 +23,8 @@ std::int64_t nanoseconds() {
 
 MyPolygon* checked(MyPolygon* patch, Running function) {
     if (patch && std::find(polygons.begin(), polygons.end(), patch) == polygons.end())
-        throw Error(std::string(nameOf(function)) + ": found a pointer to something else, expected one of polygons or nullptr");
+        throw Error(std::string(nameOf(function)) +
+                    ": found a pointer to something else, expected one of polygons or nullptr");
     return patch;
 }
 
@@ -41,12 +44,14 @@ double RunningNow::seconds() const {
     return running() == Running::none ? 0.0 : 1e-9 * static_cast<double>(nanoseconds() - since.load());
 }
 
-RunningMark::RunningMark(RunningNow& now, Running what) : place(now), before(now.what.load()) {
+RunningMark::RunningMark(RunningNow& now, Running what)
+    : place(now), before(now.what.load()), exceptions(std::uncaught_exceptions()) {
     place.since = nanoseconds();
     place.what = static_cast<int>(what);
 }
 
 RunningMark::~RunningMark() {
+    if (std::uncaught_exceptions() > exceptions && place.failed == 0) place.failed = place.what.load();
     place.since = nanoseconds();
     place.what = before;
 }

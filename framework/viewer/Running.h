@@ -8,7 +8,16 @@
 namespace radlab {
 
 /// What of the student's code is running; `none` while the viewer's own is.
-enum class Running { none, maxenergyPatch, calcAnalyticalFF, distributeEnergy, colorReconstruction, renderPatchIDs, calcFF, loading };
+enum class Running {
+    none,
+    maxenergyPatch,
+    calcAnalyticalFF,
+    distributeEnergy,
+    colorReconstruction,
+    renderPatchIDs,
+    calcFF,
+    loading
+};
 
 /// The function's name as ProgRef.h writes it; "" for none.
 const char* nameOf(Running running);
@@ -22,6 +31,7 @@ int stageOf(const char* function);
 /// What is running and since when, where a supervisor process can read it.
 struct RunningNow {
     std::atomic<int> what{0};
+    std::atomic<int> failed{0};          ///< the innermost that an exception left since this was set to 0
     std::atomic<std::int64_t> since{0};  ///< nanoseconds of the steady clock
 
     Running running() const { return static_cast<Running>(what.load()); }
@@ -40,7 +50,7 @@ public:
 
 private:
     RunningNow& place;
-    const int before;
+    const int before, exceptions;
 };
 
 /// The same functions, each marked while it runs; a shooter that is none of `polygons` is an Error that names the function.
