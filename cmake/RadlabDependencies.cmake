@@ -32,6 +32,7 @@ target_include_directories(radlab_glm SYSTEM INTERFACE ${GLM_INCLUDE_DIR})
 find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui)
 find_path(IMGUI_BACKENDS_DIR imgui_impl_opengl2.h PATH_SUFFIXES imgui/backends)
 find_library(IMGUI_LIBRARY NAMES imgui imguid)
+find_library(STB_LIBRARY stb)  # Debian's ImGui takes its fonts from there; others bring their own
 
 # Headers of OpenGL without any library: libraries name no GL provider, programs do.
 set(OpenGL_GL_PREFERENCE GLVND)

@@ -7,12 +7,12 @@ namespace radlab {
 namespace {
 
 void number(Ui& ui, const char* name, const char* unit, double value, const char* tooltip) {
-    ui.label(name, tooltip);
+    ui.fact(name, tooltip);
     ImGui::Text("%.5g %s", value, unit);
 }
 
 void color(Ui& ui, const char* name, const char* unit, const Vec3f& value, const char* tooltip) {
-    ui.label(name, tooltip);
+    ui.fact(name, tooltip);
     ImGui::Text("%.3g  %.3g  %.3g", static_cast<double>(value.r), static_cast<double>(value.g),
                 static_cast<double>(value.b));
     if (*unit && ImGui::IsItemHovered()) ImGui::SetTooltip("red, green, blue in %s", unit);
@@ -78,7 +78,7 @@ void drawInspector(Ui& ui, float left, float height) {
           "the part of B not shot yet: red, green, blue, W/m\xc2\xb2");
     number(ui, "formF", "", static_cast<double>(patch.formF), "form factor from the last shooter to this patch");
     if (const auto shooter = ui.viewer.simulation().lastShooter()) {
-        ui.label("last shooter", "");
+        ui.fact("last shooter", "");
         ImGui::Text("patch %zu%s", *shooter, *shooter == index ? ", this one" : "");
     }
     row(ui);

@@ -174,17 +174,17 @@ void exposureControls(Ui& ui) {
 }
 
 void figure(Ui& ui, const char* name, const char* format, double value, const char* tooltip) {
-    ui.label(name, tooltip);
+    ui.fact(name, tooltip);
     ImGui::Text(format, value);
 }
 
 void figures(Ui& ui) {
     title(ui, "Progress");
     const Progress& now = ui.viewer.simulation().progress();
-    ui.label("patches", "");
+    ui.fact("patches", "");
     ImGui::Text("%zu, %zu vertices", ui.viewer.simulation().mesh().patches.size(),
                 ui.viewer.simulation().mesh().corners.size());
-    ui.label("shots", "");
+    ui.fact("shots", "");
     ImGui::Text("%d in %.2f s", now.shots, now.seconds);
     figure(ui, "unshot", "%.2f %%", 100.0 * now.unshotShare, "unshot power over emitted power");
     if (now.emitted > 0.0) {

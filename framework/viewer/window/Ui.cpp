@@ -4,7 +4,7 @@ namespace radlab {
 
 namespace {
 
-constexpr float labelWidth = 104.0f;
+constexpr float labelWidth = 112.0f;
 
 const Binding& bindingOf(Command command) {
     for (const Binding& binding : bindings())
@@ -40,10 +40,14 @@ void Ui::button(const char* text, Command command, float width, bool on) {
 
 void Ui::label(const char* text, const char* tooltip) {
     ImGui::AlignTextToFramePadding();
+    fact(text, tooltip);
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+void Ui::fact(const char* text, const char* tooltip) {
     ImGui::TextDisabled("%s", text);
     if (*tooltip && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
     ImGui::SameLine(unit(labelWidth));
-    ImGui::SetNextItemWidth(-1.0f);
 }
 
 }  // namespace radlab

@@ -31,6 +31,9 @@ struct Ui {
 
     /// A label at the left, after which the row's control fills the rest.
     void label(const char* text, const char* tooltip);
+
+    /// The same for a row of text.
+    void fact(const char* text, const char* tooltip);
 };
 
 /// Sets colours, roundings and fonts for a scale.

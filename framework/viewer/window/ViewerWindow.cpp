@@ -208,7 +208,8 @@ private:
                 moved = 0.0f;
             }
         if (!dragging) return;
-        drag(io, size);
+        if (!ImGui::IsMouseClicked(0) && !ImGui::IsMouseClicked(1) && !ImGui::IsMouseClicked(2))
+            drag(io, size);  // the way to where a button went down is no drag
         if (ImGui::IsMouseReleased(0) && moved < dragStart) pick(io.MousePos, size);
         if (!down) dragging = false;
     }
