@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "apps/CommandLine.h"
+#include "base/Error.h"
 #include "viewer/Supervisor.h"
 #include "viewer/window/ViewerWindow.h"
 
@@ -75,6 +76,7 @@ int main(int argc, char** argv) {
     Flags flags;
     addFlags(app, flags);
     return radlab::runCommandLine(app, argc, argv, [&] {
+        if (!std::filesystem::exists(flags.scene)) throw radlab::Error({flags.scene}, "no such file");
         flags.viewer.scene = std::filesystem::absolute(flags.scene);
         flags.viewer.folder = flags.folder;
         flags.viewer.library = recipeOf(flags);

@@ -102,6 +102,14 @@ void Viewer::open(const std::filesystem::path& scene) {
     share();
 }
 
+void Viewer::choose(const std::filesystem::path& scene) {
+    try {
+        open(scene);
+    } catch (const Error& error) {
+        tell("This scene cannot be shown", error.what());
+    }
+}
+
 void Viewer::apply(const ViewState& wanted) {
     try {
         if (wanted.patchSize != settings.patchSize || wanted.lightSize != settings.lightSize) {
@@ -192,6 +200,7 @@ void Viewer::resume() {
 }
 
 void Viewer::advance() {
+    share();
     if (buildTime.seconds() > watchSeconds) {
         takeLibrary();
         buildTime.restart();
@@ -202,7 +211,6 @@ void Viewer::advance() {
         keepView();
         keepTime.restart();
     }
-    share();
 }
 
 void Viewer::shoot(int most) {

@@ -53,6 +53,9 @@ public:
     /// Shows another scene, as it was looked at last.
     void open(const std::filesystem::path& file);
 
+    /// The same; a scene that cannot be read is told, and the one from before stays.
+    void choose(const std::filesystem::path& file);
+
     /// Takes settings that change the mesh or the solver, and starts anew.
     void apply(const ViewState& wanted);
 

@@ -43,7 +43,7 @@ void sceneChoice(Ui& ui) {
     ui.remember("scene");
     if (!open) return;
     for (const std::filesystem::path& scene : scenesBeside(now)) {
-        if (ImGui::Selectable(scene.filename().string().c_str(), scene == now) && scene != now) ui.viewer.open(scene);
+        if (ImGui::Selectable(scene.filename().string().c_str(), scene == now) && scene != now) ui.viewer.choose(scene);
         ui.remember("scene: " + scene.filename().string());
     }
     ImGui::EndCombo();
