@@ -50,11 +50,11 @@ std::string without(std::string text, const std::string& part) {
 
 LibraryOutcome build(const LibraryRecipe& recipe, const std::filesystem::path& copy) {
     const Ended ended = runShell("cmake --build " + quoted(recipe.folder.string()) + " --target " + recipe.target);
-    if (ended.status != 0) return {{}, firstErrorIn(ended.output, RADLAB_SOURCE_DIR "/")};
+    if (ended.status != 0) return {{}, firstErrorIn(ended.output, RADLAB_SOURCE_DIR "/"), ""};
     std::error_code failure;
     std::filesystem::copy_file(recipe.library, copy, std::filesystem::copy_options::overwrite_existing, failure);
-    if (failure) return {{}, copy.string() + ": cannot be written: " + failure.message()};
-    return {copy, ""};
+    if (failure) return {{}, copy.string() + ": cannot be written: " + failure.message(), ""};
+    return {copy, "", ""};
 }
 
 }  // namespace
@@ -86,12 +86,12 @@ std::string LibraryBuild::stampOf() const {
     return failure ? "" : std::to_string(size) + " " + std::to_string(time);
 }
 
-void LibraryBuild::waitForSave() { built = seen = stampOf(); }
-
 std::optional<LibraryOutcome> LibraryBuild::poll() {
     if (running.valid()) {
         if (running.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-        return running.get();
+        LibraryOutcome outcome = running.get();
+        outcome.stamp = built;
+        return outcome;
     }
     const std::string stamp = stampOf();
     const bool quiet = stamp == seen;  // editors write a file in several steps

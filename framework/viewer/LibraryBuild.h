@@ -19,6 +19,7 @@ struct LibraryRecipe {
 struct LibraryOutcome {
     std::filesystem::path library;  ///< a copy under a name that was not used before; empty where the build failed
     std::string error;              ///< the compiler's first error, with its file and line
+    std::string stamp;              ///< of the source that was built; another text has another one
 };
 
 /// Builds the library in the background, at first and whenever the source is saved.
@@ -36,8 +37,8 @@ public:
 
     bool isBuilding() const { return running.valid(); }
 
-    /// Takes the source as built, so that only the next saving starts a build.
-    void waitForSave();
+    /// Builds nothing while the source is what it was when it had that stamp.
+    void passOver(const std::string& stamp) { built = stamp; }
 
 private:
     std::string stampOf() const;

@@ -12,6 +12,7 @@ namespace radlab {
 struct SharedView {
     RunningNow running;
     ViewState state;
+    char loaded[64] = "";   ///< stamp of the source whose functions are in use
     char scene[4096] = "";  ///< the file that is shown; empty before the first
 };
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 #include "base/ImageFile.h"
 #include "base/WholeFile.h"
@@ -71,8 +70,7 @@ std::filesystem::path nextScreenshot(const std::filesystem::path& folder, const 
 Viewer::Viewer(ViewerOptions what, SharedView& place, const Restart& restarted)
     : options(std::move(what)), shared(place), build(options.library), crash(restarted.message) {
     const bool again = !restarted.message.empty();
-    loadsByItself = !restarted.inInitialiser;
-    if (restarted.inInitialiser) build.waitForSave();
+    if (restarted.inInitialiser) build.passOver(shared.loaded);
     const ViewState before = shared.state;
     open(again && shared.scene[0] ? std::filesystem::path(shared.scene) : options.scene);
     if (again) apply(before);
@@ -156,13 +154,15 @@ void Viewer::tell(const std::string& title, const std::string& text) {
     noticeTime.restart();
 }
 
-void Viewer::load(const std::filesystem::path& library) {
+void Viewer::load(const LibraryOutcome& made) {
+    const bool changed = made.stamp != shared.loaded && shared.loaded[0];
+    std::strncpy(shared.loaded, made.stamp.c_str(), sizeof shared.loaded - 1);
     try {
         const RunningMark mark(shared.running, Running::loading);
-        functions = loadCourseFunctions(library);
+        functions = loadCourseFunctions(made.library);
         compileError.clear();
         ++loaded;
-        if (!std::exchange(loadsByItself, false)) {
+        if (changed) {
             crash.clear();
             tell("Reloaded",
                  options.library.source.filename().string() + " was rebuilt; its functions are in use now.");
@@ -171,7 +171,7 @@ void Viewer::load(const std::filesystem::path& library) {
         compileError = error.what();
     }
     std::error_code ignored;
-    std::filesystem::remove(library, ignored);  // it stays loaded
+    std::filesystem::remove(made.library, ignored);  // it stays loaded
 }
 
 void Viewer::takeLibrary() {
@@ -182,7 +182,7 @@ void Viewer::takeLibrary() {
         playing = playing && functions;
         return;
     }
-    load(outcome->library);
+    load(*outcome);
     giveFunctions();
 }
 

@@ -85,7 +85,7 @@ public:
     static constexpr double noticeSeconds = 5.0;
 
 private:
-    void load(const std::filesystem::path& library);
+    void load(const LibraryOutcome& made);
     void resume();
     void giveFunctions();
     void takeLibrary();
@@ -114,7 +114,6 @@ private:
     std::optional<Banner> notice;
     Stopwatch noticeTime, keepTime, buildTime;
     bool playing = false, help = false, ending = false, pendingScreenshot = false;
-    bool loadsByItself = true;  // the next load is no answer to a saved file
     int loaded = 0;
 };
 
