@@ -270,7 +270,7 @@ def buttons(viewer):
     state = viewer.click("scene: cornell_2.x3d", "the scene from before", lambda s: s["scene"].endswith("cornell_2.x3d"))
     if state["state"]["tone_curve"] != "filmic":
         wrong("the scene did not keep its settings")
-    untried = set(state["buttons"]) - set(names) - {"method", "hemicube", "tone curve", "scene", "effects"}
+    untried = {name for name in state["buttons"] if ": " not in name} - set(names) - {"method", "hemicube", "tone curve", "scene", "effects"}
     if untried:
         wrong(f"buttons that no test clicks: {untried}")
 

@@ -15,7 +15,7 @@ namespace radlab {
 
 namespace {
 
-constexpr double shotSeconds = 0.010;  // of a frame's 33 ms; a shot that has begun is ended
+constexpr double shotSeconds = 0.006;  // of the 33 ms of a frame; a shot that has begun is ended
 constexpr float turn = 0.1f, step = 1.12f;
 constexpr double patchesAtFirst = 1000.0;
 constexpr double keepSeconds = 1.0, watchSeconds = 0.1;
