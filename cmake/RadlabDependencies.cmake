@@ -28,6 +28,12 @@ find_library(SECCOMP_LIBRARY seccomp)
 add_library(radlab_glm INTERFACE)
 target_include_directories(radlab_glm SYSTEM INTERFACE ${GLM_INCLUDE_DIR})
 
+# ImGui with its backends for GLFW and OpenGL 2; Debian keeps these in a folder of their own.
+find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui)
+find_path(IMGUI_BACKENDS_DIR imgui_impl_opengl2.h PATH_SUFFIXES imgui/backends)
+find_library(IMGUI_LIBRARY NAMES imgui imguid)
+find_library(STB_LIBRARY stb)  # Debian's ImGui takes its fonts from there; others bring their own
+
 # Headers of OpenGL without any library: libraries name no GL provider, programs do.
 set(OpenGL_GL_PREFERENCE GLVND)
 find_package(OpenGL)
@@ -53,6 +59,12 @@ if(glfw3_FOUND AND OpenGL_FOUND)
   set(RADLAB_HAVE_WINDOW ON)
 else()
   radlab_missing("GLFW" "no window; everything that draws without a display works")
+endif()
+set(RADLAB_HAVE_VIEWER OFF)
+if(RADLAB_HAVE_WINDOW AND IMGUI_INCLUDE_DIR AND IMGUI_BACKENDS_DIR AND IMGUI_LIBRARY AND STB_INCLUDE_DIR AND NLOHMANN_JSON_INCLUDE_DIR)
+  set(RADLAB_HAVE_VIEWER ON)
+else()
+  radlab_missing("Dear ImGui, GLFW, stb or nlohmann-json" "no view")
 endif()
 if(NOT RADLAB_HAVE_OSMESA AND NOT RADLAB_HAVE_EGL)
   radlab_missing("OSMesa or EGL" "programs without a display use a hidden GLFW window instead")

@@ -40,7 +40,7 @@ packed='^(framework|grader/(protocol|sandbox|stages|judge|report|worker|apps)|re
 ^(radlab|LICENSE|CMakeLists\.txt|CMakePresets\.json|vcpkg\.json|\.gitignore|\.editorconfig|\.clang-format)$'
 # Of that, what quotes solutions, needs them, or tests radlab itself; then what .gitignore names, for trees without git.
 left_out='(Test|Fuzz)\.cpp$
-^framework/(SolutionTests\.cmake$|apps/(bench|study|SolverBench|EngineBench|[Hh]andout))
+^framework/(SolutionTests\.cmake$|apps/(bench|study|SolverBench|EngineBench|[Hh]andout|view-picture))
 ^grader/apps/(grade|Grade|Grading|TryAttacks|unpack|references|bench-grade|CheckBench)
 ^resources/(broken|fuzz|study|classroom)/
 ^cmake/checks/

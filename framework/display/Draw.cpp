@@ -19,21 +19,6 @@ namespace radlab {
 
 namespace {
 
-void setCamera(const View& view) {
-    const Camera& camera = view.camera;
-    const glm::dvec3 eye(camera.position), direction(camera.direction);
-    const ViewDepth depth = viewDepth(polygons, vertices, eye, direction);
-    // What is d away and inside the picture lies at least d times the cosine of its corner deep.
-    const double nearest = 0.25 * depth.nearest;
-    const double half = nearest * std::tan(0.5 * static_cast<double>(camera.fieldOfView));
-    const double smaller = std::min(view.width, view.height);
-    const double x = half * view.width / smaller, y = half * view.height / smaller;
-    glMatrixMode(GL_PROJECTION);
-    glLoadMatrixd(glm::value_ptr(glm::frustum(-x, x, -y, y, nearest, depth.farthest)));
-    glMatrixMode(GL_MODELVIEW);
-    glLoadMatrixd(glm::value_ptr(glm::lookAt(eye, eye + direction, glm::dvec3(camera.up))));
-}
-
 // Colours beyond 0..1 go through as they are.
 void turnClampingOff() {
     constexpr GLenum clampVertexColor = 0x891a, clampFragmentColor = 0x891b, clampReadColor = 0x891c;
@@ -121,6 +106,26 @@ void drawOutlines(int samples) {
 
 }  // namespace
 
+void setCamera(const View& view) {
+    const Camera& camera = view.camera;
+    const glm::dvec3 eye(camera.position), direction(camera.direction);
+    const ViewDepth depth = viewDepth(polygons, vertices, eye, direction);
+    // What is d away and inside the picture lies at least d times the cosine of its corner deep.
+    const double nearest = 0.25 * depth.nearest;
+    const double half = nearest * std::tan(0.5 * static_cast<double>(camera.fieldOfView));
+    const double smaller = std::min(view.width, view.height);
+    const double x = half * view.width / smaller, y = half * view.height / smaller;
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixd(glm::value_ptr(glm::frustum(-x, x, -y, y, nearest, depth.farthest)));
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixd(glm::value_ptr(glm::lookAt(eye, eye + direction, glm::dvec3(camera.up))));
+}
+
+glm::vec3 unlitColor(const MyPolygon& patch) {
+    const bool emits = patch.emissive != Vec3f(0.0f);
+    return emits ? glm::vec3(1.0f, 0.9f, 0.5f) : 0.25f + 0.7f * patch.diffuse;
+}
+
 Image drawRadiance(const View& view, Shading shading) {
     return drawInto(view, [&] {
         if (shading == Shading::flat)
@@ -134,32 +139,40 @@ Image drawColors(const View& view, const std::function<glm::vec3(std::size_t)>& 
     return drawInto(view, [&] { drawFlat(color); });
 }
 
-Image drawIds(const View& view, const std::function<void()>& draw) {
+std::vector<std::uint32_t> readIds(const View& view, const std::function<void()>& draw) {
     SavedState saved;
     const Framebuffer framebuffer(view.width * view.samples, view.height * view.samples, Framebuffer::Color::bytes);
     beginDrawing(view, framebuffer, glm::vec3(0.0f));
     draw();
     saved.checkBalance();
-    Image image = readImage(framebuffer);
-    for (glm::vec3& pixel : image.data()) {
-        const glm::ivec3 bytes(glm::round(pixel * 255.0f));
-        pixel = idColor(static_cast<std::size_t>(bytes.r << 16 | bytes.g << 8 | bytes.b));
-    }
+    std::vector<std::uint8_t> bytes(std::size_t{4} *
+                                    static_cast<std::size_t>(framebuffer.width() * framebuffer.height()));
+    framebuffer.bind();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    glReadPixels(0, 0, framebuffer.width(), framebuffer.height(), GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    std::vector<std::uint32_t> ids(bytes.size() / 4);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        ids[i] = std::uint32_t{bytes[4 * i]} << 16 | std::uint32_t{bytes[4 * i + 1]} << 8 | bytes[4 * i + 2];
+    return ids;
+}
+
+Image drawIds(const View& view, const std::function<void()>& draw) {
+    const std::vector<std::uint32_t> ids = readIds(view, draw);
+    Image image(view.width * view.samples, view.height * view.samples);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            image.at(x, image.height() - 1 - y) = idColor(ids[static_cast<std::size_t>(y * image.width() + x)]);
     return image.shrunk(view.samples);
 }
 
 Image drawWireframe(const View& view) {
-    const auto unlit = [](std::size_t i) {
-        const MyPolygon& patch = *polygons[i];
-        const bool emits = patch.emissive != Vec3f(0.0f);
-        return emits ? glm::vec3(1.0f, 0.9f, 0.5f) : 0.25f + 0.7f * patch.diffuse;
-    };
     View fine = view;
     fine.samples = std::max(view.samples, 4);
     const Image lines = drawInto(fine, [&] {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(1.0f, 2.0f);
-        drawFlat(unlit);
+        drawFlat([](std::size_t i) { return unlitColor(*polygons[i]); });
         drawOutlines(fine.samples);
     });
     return toneMap(lines, 1.0f);

@@ -3,14 +3,8 @@
 #include <memory>
 
 #include "course/ProgRef.h"
-#include "scene/Effects.h"
 
 namespace radlab {
-
-FormFactorMethod formFactorMethod(const Resource& resource, const Scene& scene) {
-    if (resource.method != FormFactorMethod::automatic) return resource.method;
-    return findEffects(scene).has(Effect::occlusion) ? FormFactorMethod::hemicube : FormFactorMethod::analytic;
-}
 
 Progressive::FormFactors formFactorsBy(FormFactorMethod method, int hemicubeSize) {
     RADLAB_CHECK(method != FormFactorMethod::automatic);

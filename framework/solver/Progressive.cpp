@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/Stopwatch.h"
-#include "course/ProgRef.h"
 
 namespace radlab {
 
@@ -21,8 +20,8 @@ double unshotPower(const PatchMesh& mesh) {
 
 }  // namespace
 
-Progressive::Progressive(PatchMesh& patchMesh, FormFactors function)
-    : mesh(patchMesh), formFactors(std::move(function)) {
+Progressive::Progressive(PatchMesh& patchMesh, FormFactors function, CourseFunctions functions)
+    : mesh(patchMesh), formFactors(std::move(function)), course(std::move(functions)) {
     mesh.publish();
     mesh.reset();
     state.emitted = state.unshot = unshotPower(mesh);
@@ -35,7 +34,7 @@ bool Progressive::shoot() {
     MyPolygon* shooter = formFactors();
     if (!shooter || shooter->unshot_rad == Vec3f(0.0f)) return false;
     const Vec3f shot = shooter->unshot_rad;
-    distributeEnergy(shooter);
+    course.distributeEnergy(shooter);
     state.seconds += watch.seconds();
     ++state.shots;
     account(*shooter, shot);
@@ -61,7 +60,7 @@ void Progressive::account(const MyPolygon& shooter, const Vec3f& shot) {
 const Progress& Progressive::run(const Limits& limits, const std::function<bool(const Progress&)>& report) {
     while (state.shots < limits.shots && state.unshotShare > limits.unshotShare && shoot())
         if (report && !report(state)) break;
-    colorReconstruction();
+    course.colorReconstruction();
     return state;
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "course/PatchMesh.h"
+#include "solver/CourseFunctions.h"
 
 namespace radlab {
 
@@ -37,8 +38,9 @@ public:
 
     /// Publishes the mesh and starts from its emission.
     ///
+    /// @param functions whose distributeEnergy and colorReconstruction are called
     /// @pre the mesh outlives this
-    Progressive(PatchMesh& mesh, FormFactors formFactors);
+    Progressive(PatchMesh& mesh, FormFactors formFactors, CourseFunctions functions = linkedFunctions());
 
     /// One shot.
     ///
@@ -58,6 +60,7 @@ private:
 
     PatchMesh& mesh;
     FormFactors formFactors;
+    CourseFunctions course;
     Progress state;
 };
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "viewer/window/Ui.h"
+
+namespace radlab {
+
+/// Writes what the viewer shows as JSON into a file, whole, whenever it has changed: for tests and demonstrations that drive it.
+///
+///     {"mode", "shots", "playing", "building", "reloads", "scene", "picked", "sum", "banners": [{"title", "text"}], "gl_errors",
+///      "help", "frames", "fps", "picture": [left, top, right, bottom], "buttons": {name: [left, top, right, bottom]}, "state": {…}}
+///
+/// Places are in window units from the top left; "state" is what toJson(ViewState) writes.
+class Trace {
+public:
+    /// @param file where to write; empty: nowhere
+    explicit Trace(std::filesystem::path file) : target(std::move(file)) {}
+
+    void write(Ui& ui, const ImVec4& picture, int glErrors);
+
+private:
+    const std::filesystem::path target;
+    std::string before;
+    Stopwatch sinceWrite;
+    bool first = true;
+};
+
+}  // namespace radlab
