@@ -22,7 +22,7 @@ strays() {
     done
     ln -s /etc/passwd "a copy/framework/base/link.cpp"
 }
-no_strays() { has_none "$1" 'Solved|~$|student-07|marks|/build/|/out/|\.orig$|\.cache|UserPresets|link|\.git/'; }
+no_strays() { has_none "$1" '/Solved\.cpp$|~$|student-07|marks|/build/|/out/|\.orig$|\.cache|UserPresets|link|\.git/'; }
 
 # Runs the autograder on what lies in submission; its results are JSON with that score.
 autograde() {

@@ -28,6 +28,6 @@ Vec3f RayView::radiance(float x, float y) const {
     return patch ? patch->color : Vec3f(0.0f);
 }
 
-Vec3f RayView::display(const Vec3f& radiance) const { return toneMap(radiance, exposure); }
+Vec3f RayView::display(const Vec3f& radiance) const { return toneMapped(radiance, exposure); }
 
 }  // namespace radlab

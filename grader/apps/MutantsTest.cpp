@@ -12,8 +12,8 @@ using namespace radlab::grader;
 
 namespace {
 
-constexpr std::size_t spread = 23;  // every twenty-third
-constexpr std::size_t spreadOfExtensions = 6;
+constexpr std::size_t spread = 37;  // every thirty-seventh
+constexpr std::size_t spreadOfExtensions = 11;
 
 // One judge for all, so that what is right is found once.
 class MutantJudge {

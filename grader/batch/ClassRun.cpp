@@ -3,8 +3,8 @@
 #include <set>
 
 #include "base/Error.h"
-#include "grader/batch/ClassProgress.h"
 #include "base/Interrupts.h"
+#include "grader/batch/ClassProgress.h"
 
 namespace radlab::grader {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/Error.h"
-#include "base/ProgressBar.h"
 #include "base/Interrupts.h"
+#include "base/ProgressBar.h"
 #include "grader/batch/JobProcess.h"
 
 namespace radlab::grader {

@@ -15,9 +15,9 @@
 #include <doctest/doctest.h>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
-#include "base/Interrupts.h"
 #include "grader/batch/JobProcess.h"
 
 using namespace radlab;

@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include "base/Interrupts.h"
 #include "base/TestFolder.h"
 #include "base/WholeFile.h"
-#include "base/Interrupts.h"
 #include "grader/batch/SlurmFolder.h"
 #include "grader/sandbox/Process.h"
 
