@@ -5,6 +5,7 @@
 
 #include "base/Error.h"
 #include "base/Interrupts.h"
+#include "base/NumberText.h"
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
 #include "course/ProgRef.h"
@@ -27,13 +28,6 @@ constexpr int stripShots = 5;
 constexpr double convergedShare = 0.02;
 constexpr int mostShots = 20000;
 const glm::vec3 marked(0.1f, 0.9f, 0.3f);
-
-std::string withCommas(std::size_t number) {
-    std::string digits = std::to_string(number);
-    for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3)
-        digits.insert(static_cast<std::size_t>(place), ",");
-    return digits;
-}
 
 std::string percent(double share) {
     char text[32];

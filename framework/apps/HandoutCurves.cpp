@@ -5,6 +5,7 @@
 #include <random>
 
 #include "apps/HandoutScene.h"
+#include "base/NumberText.h"
 #include "base/ProgressBar.h"
 #include "base/WholeFile.h"
 #include "course/ProgRef.h"
@@ -22,15 +23,9 @@ namespace {
 using namespace engine;
 using Json = nlohmann::ordered_json;
 
-std::string text(const char* form, double value) {
-    char written[40];
-    std::snprintf(written, sizeof written, form, value);
-    return written;
-}
-
 std::string line(std::initializer_list<double> values) {
     std::string written;
-    for (const double value : values) written += text("%.6g ", value);
+    for (const double value : values) written += numberText("%.6g ", value);
     written.back() = '\n';
     return written;
 }
@@ -160,10 +155,10 @@ Quality qualityOf(const HandoutScene& room, const FormFactorOptions& options, co
 }
 
 void addQuality(Json& numbers, const std::string& name, const Quality& quality) {
-    numbers[name + "_error"] = text("%.2g %%", 100.0 * quality.error);
-    numbers[name + "_missed"] = text("%.2g %%", 100.0 * quality.missed);
-    numbers[name + "_light"] = text("%.2g %%", 100.0 * quality.light);
-    numbers[name + "_ms"] = text("%.2g", quality.milliseconds);
+    numbers[name + "_error"] = numberText("%.2g %%", 100.0 * quality.error);
+    numbers[name + "_missed"] = numberText("%.2g %%", 100.0 * quality.missed);
+    numbers[name + "_light"] = numberText("%.2g %%", 100.0 * quality.light);
+    numbers[name + "_ms"] = numberText("%.2g", quality.milliseconds);
 }
 
 std::string line(double setting, const Quality& quality, double samples) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "apps/HandoutScene.h"
+#include "base/NumberText.h"
 #include "course/Hemicube.h"
 #include "engine/ExchangeArea.h"
 #include "engine/FormFactorRows.h"
@@ -16,28 +17,15 @@ namespace {
 using namespace engine;
 using Json = nlohmann::ordered_json;
 
-std::string text(const char* form, double value) {
-    char written[40];
-    std::snprintf(written, sizeof written, form, value);
-    return written;
-}
-
-std::string withCommas(std::size_t number) {
-    std::string digits = std::to_string(number);
-    for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3)
-        digits.insert(static_cast<std::size_t>(place), ",");
-    return digits;
-}
-
 // With commas from a thousand on.
 std::string rounded(double value) {
-    return value < 1000.0 ? text("%.3g", value) : withCommas(static_cast<std::size_t>(std::lround(value)));
+    return value < 1000.0 ? numberText("%.3g", value) : withCommas(static_cast<std::size_t>(std::lround(value)));
 }
 
 // As TeX has it: 1.94 times a power of ten.
 std::string scientific(double value) {
     const int power = static_cast<int>(std::floor(std::log10(value)));
-    return "$" + text("%.2f", value / std::pow(10.0, power)) + "\\cdot 10^{" + std::to_string(power) + "}$";
+    return "$" + numberText("%.2f", value / std::pow(10.0, power)) + "\\cdot 10^{" + std::to_string(power) + "}$";
 }
 
 const Point right(1.0, 0.0, 0.0), up(0.0, 1.0, 0.0), out(0.0, 0.0, 1.0);
@@ -46,11 +34,11 @@ const Point right(1.0, 0.0, 0.0), up(0.0, 1.0, 0.0), out(0.0, 0.0, 1.0);
 void addPair(Json& numbers, const std::string& name, const Polygon& from, const Polygon& to) {
     const double exact = exchangeArea(from, to) / from.area, point = pointToPoint(from, to);
     const double centre = pointToPolygon(from.center, from.normal, to);
-    numbers[name + "_exact"] = text("%.4f", exact);
-    numbers[name + "_point"] = text("%.4f", point);
-    numbers[name + "_centre"] = text("%.4f", centre);
+    numbers[name + "_exact"] = numberText("%.4f", exact);
+    numbers[name + "_point"] = numberText("%.4f", point);
+    numbers[name + "_centre"] = numberText("%.4f", centre);
     numbers[name + "_point_error"] = rounded(100.0 * std::abs(point / exact - 1.0)) + " %";
-    numbers[name + "_centre_error"] = text("%.2g %%", 100.0 * std::abs(centre / exact - 1.0));
+    numbers[name + "_centre_error"] = numberText("%.2g %%", 100.0 * std::abs(centre / exact - 1.0));
 }
 
 void addPairs(Json& numbers) {
@@ -73,7 +61,7 @@ void addRowSum(Json& numbers, const std::string& name, float patchSize) {
         highest = std::max(highest, sum);
     }
     numbers[name + "_patches"] = withCommas(factors.size());
-    numbers[name + "_highest_sum"] = text("%.3f", highest);
+    numbers[name + "_highest_sum"] = numberText("%.3f", highest);
 }
 
 void addMesh(Json& numbers, const std::string& name, float patchSize) {
@@ -88,12 +76,12 @@ void addHemicube(Json& numbers) {
     numbers["delta_256_top"] = scientific(static_cast<double>(large.getDeltaFormFactor(256, 256)));
     numbers["delta_256_rim"] = scientific(static_cast<double>(large.getDeltaFormFactor(0, 256)));
     numbers["delta_256_ratio"] =
-        text("%.0f", static_cast<double>(large.getDeltaFormFactor(256, 256) / large.getDeltaFormFactor(0, 256)));
+        numberText("%.0f", static_cast<double>(large.getDeltaFormFactor(256, 256) / large.getDeltaFormFactor(0, 256)));
     double top = 0.0;
     for (int y = 128; y < 384; ++y)
         for (int x = 128; x < 384; ++x) top += static_cast<double>(large.getDeltaFormFactor(x, y));
-    numbers["delta_top_share"] = text("%.1f %%", 100.0 * top);
-    numbers["delta_side_share"] = text("%.1f %%", 100.0 * (1.0 - top) / 4.0);
+    numbers["delta_top_share"] = numberText("%.1f %%", 100.0 * top);
+    numbers["delta_side_share"] = numberText("%.1f %%", 100.0 * (1.0 - top) / 4.0);
     Json& table = numbers["delta_8_table"] = Json::array();
     for (int y = 0; y < small.rendersize; ++y)
         for (int x = 0; x < small.rendersize; ++x)
