@@ -150,18 +150,18 @@ TEST_CASE("PLY: as many bytes as its header says, and the first vertex and face 
     const std::string bytes = readFile(folder / "box.ply");
     const std::string end = "end_header\n";
     const std::size_t start = bytes.find(end) + end.size();
-    std::size_t vertices = 0, length = start;
+    std::size_t corners = 0, length = start;
     for (const MeshPart& part : solved.mesh.parts) {
-        vertices += part.vertices.size();
+        corners += part.vertices.size();
         for (const MeshPatch& patch : part.patches) length += 1 + 4 * std::size_t(patch.vertices) + 12;
     }
-    CHECK(bytes.find("element vertex " + std::to_string(vertices) + "\n") != bytes.npos);
-    CHECK(bytes.size() == length + 15 * vertices);
+    CHECK(bytes.find("element vertex " + std::to_string(corners) + "\n") != bytes.npos);
+    CHECK(bytes.size() == length + 15 * corners);
     CHECK(vectorAt(bytes, start) == solved.mesh.parts[0].vertices[0].position);
     const MeshPatch& patch = solved.mesh.parts[0].patches[0];
-    CHECK(int(bytes[start + 15 * vertices]) == patch.vertices);
-    CHECK(wordAt(bytes, start + 15 * vertices + 1) == patch.vertex[0]);
-    CHECK(vectorAt(bytes, start + 15 * vertices + 1 + 4 * std::size_t(patch.vertices)) == patch.radiosity);
+    CHECK(int(bytes[start + 15 * corners]) == patch.vertices);
+    CHECK(wordAt(bytes, start + 15 * corners + 1) == patch.vertex[0]);
+    CHECK(vectorAt(bytes, start + 15 * corners + 1 + 4 * std::size_t(patch.vertices)) == patch.radiosity);
 }
 
 TEST_CASE("another ending is refused, and nothing is written") {
