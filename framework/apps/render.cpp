@@ -10,6 +10,7 @@
 #include "apps/RenderTable.h"
 #include "apps/RenderToError.h"
 #include "apps/RenderWays.h"
+#include "base/ImageFile.h"
 #include "base/Interrupts.h"
 #include "base/Warning.h"
 #include "export/MeshFile.h"
@@ -36,10 +37,9 @@ struct Flags {
 constexpr std::size_t usualSamples = 64;
 
 void requireFile(const std::string& file) {
-    if (isMeshFile(file)) return;
-    const std::string ending = std::filesystem::path(file).extension().string();
-    if (ending != ".png" && ending != ".hdr")
-        throw Error({file}, "unknown kind of file: found the ending '" + ending +
+    if (!isMeshFile(file) && !isImageFile(file))
+        throw Error({file}, "unknown kind of file: found the ending '" +
+                                std::filesystem::path(file).extension().string() +
                                 "', expected .png or .hdr for a picture, .glb, .gltf or .ply for a mesh");
 }
 

@@ -40,11 +40,7 @@ bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y
 
 }  // namespace
 
-void requireImageFile(const std::filesystem::path& file) {
-    if (file.extension() != ".png" && file.extension() != ".hdr")
-        throw Error({file.string()}, "unknown kind of picture: found the ending '" + file.extension().string() +
-                                         "', expected .png or .hdr");
-}
+bool isImageFile(const std::filesystem::path& file) { return file.extension() == ".png" || file.extension() == ".hdr"; }
 
 std::string rgbBytes(const Image& image) {
     std::string bytes(image.data().size() * 3, '\0');
@@ -139,6 +135,12 @@ Image decodeHdr(const unsigned char* bytes, int size, const std::string& name) {
     for (std::size_t i = 0; i < image.data().size(); ++i)
         for (int c = 0; c < 3; ++c) image.data()[i][c] = pixels.get()[3 * i + c];
     return image;
+}
+
+void requireImageFile(const std::filesystem::path& file) {
+    if (!isImageFile(file))
+        throw Error({file.string()}, "unknown kind of picture: found the ending '" + file.extension().string() +
+                                         "', expected .png or .hdr");
 }
 
 }  // namespace

@@ -7,10 +7,8 @@
 
 namespace radlab {
 
-/// Makes sure that a picture can be written to a file of that name, before anyone waits for the picture.
-///
-/// Errors: an ending other than .png and .hdr.
-void requireImageFile(const std::filesystem::path& file);
+/// Whether a file's ending is that of a picture: .png or .hdr.
+bool isImageFile(const std::filesystem::path& file);
 
 /// Writes a picture as PNG (8 bits a channel) or Radiance HDR, by the ending of the file's name.
 ///
