@@ -121,16 +121,23 @@ case $claim in
         [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
         ;;
     "every scene is written as glTF that the validator of Khronos finds nothing wrong with, and as PLY")
-        command -v node >/dev/null && command -v npm >/dev/null || { echo "-- skipped: no node or no npm here"; exit 0; }
-        npm install --prefix modules --no-audit --no-fund gltf-validator@2.0.0-dev.3.10 >npm.log 2>&1 ||
-            { echo "-- skipped: gltf-validator cannot be had: $(tail -1 npm.log)"; exit 0; }
         for scene in "$project"/resources/scenes/*.x3d; do
             name=$(basename "$scene" .x3d)
             run "$scene" --shots 8 --method polygon --width 32 --height 32 -o "$name.glb" -o "$name.gltf" -o "$name.ply" \
-                -o "$name.png"
+                -o "$name.png" --csv "$name.csv"
             exits 0
             [ "$(head -c 3 "$name.ply")" = ply ] || wrong "no PLY"
         done
+        command -v node >/dev/null || { echo "-- skipped: no node here to validate with"; exit 0; }
+        three=/usr/share/javascript/three
+        [ -d "$three/examples/js" ] || { echo "-- skipped: no three.js here to read with (libjs-three)"; exit 0; }
+        for scene in "$project"/resources/scenes/*.x3d; do
+            name=$(basename "$scene" .x3d)
+            node "$project/cmake/checks/read-meshes.js" "$three" "$scene" "$name" || wrong "three.js does not read $name as it is"
+        done
+        command -v npm >/dev/null || { echo "-- skipped: no npm here that brings the validator"; exit 0; }
+        npm install --prefix modules --no-audit --no-fund gltf-validator@2.0.0-dev.3.10 >npm.log 2>&1 ||
+            { echo "-- skipped: npm cannot bring the validator: $(tail -1 npm.log)"; exit 0; }
         node "$project/cmake/checks/validate-gltf.js" "$work/modules/node_modules" ./*.glb ./*.gltf || wrong "invalid glTF"
         ;;
     "Ctrl-C ends shooting with a whole picture and mesh of the light shot so far, and exit code 130")
