@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Finds what the handout names and the project does not have: check.py [PROJECT]
+"""Finds what the handout names and the project does not have: check.py [PROJECT [PROGRAMS]]
 
 Every code span, command, figure, number, link and citation of the chapters is looked up: functions and members among the words of the headers, files in the tree, flags
-in the sources of the programs, commands in the script radlab, checks in the manifest, keys in references.bib. Figures and numbers that no
-chapter uses are found as well.
+in what --help prints (in the sources, for a program that the folder PROGRAMS lacks), commands in the script radlab, checks in the manifest,
+keys in references.bib. Figures and numbers that no chapter uses are found as well.
 """
 import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -23,8 +24,8 @@ LOCATOR = re.compile(r",\s*(chapters?|sections?|pp?\.)\s+\S")
 class Project:
     """What there is to name."""
 
-    def __init__(self, root):
-        self.root = root
+    def __init__(self, root, programs=None):
+        self.root, self.programs = root, programs
         headers = [*root.glob("framework/**/*.h"), *root.glob("exercises/**/*.cpp"), root / "resources/Resource.xml"]
         code = re.sub(r"//.*", "", "\n".join(map(self.read, headers)))
         self.words = LANGUAGE | DRAWING | set(re.findall(r"[A-Za-z_]\w*", code))
@@ -33,7 +34,7 @@ class Project:
         self.commands = {row[0]: row[1] for row in re.findall(r"^([a-z]+)\|([^|]*)\|[^|\n]*\|", script, re.MULTILINE)}
         self.subcommands = set(re.findall(r"^    ([a-z]+-[a-z]+)\)", script, re.MULTILINE))
         self.keys = set(re.findall(r"^@\w+\{(\w+),", self.read(root / "resources/references.bib"), re.MULTILINE))
-        self.flags = self.flags_of(root)
+        self.flags, self.known = self.flags_of(root), {}
 
     @staticmethod
     def read(file):
@@ -42,23 +43,42 @@ class Project:
     def flags_of(self, root):
         """For each file of a program or of what programs share, its flags."""
         found = {}
-        for file in [*root.glob("framework/apps/*.cpp"), *root.glob("grader/apps/*.cpp"), root / "handout/build.py"]:
+        for file in [*root.glob("framework/apps/*.*"), *root.glob("grader/apps/*.*"), root / "handout/build.py"]:
             names = re.findall(r'"((?:-\w,)?--?[a-z][\w,-]*)"', self.read(file))
-            found[file.stem] = {name for group in names for name in group.split(",")}
+            found.setdefault(file.stem, set()).update(name for group in names for name in group.split(","))
         return found
 
+    def shared_with(self, name):
+        """The parts that a program includes from the folder of the programs, and what these include."""
+        found, left = set(), [name]
+        while left:
+            part = left.pop()
+            if part not in found:
+                found.add(part)
+                files = (self.root / folder / f"{part}.{end}" for folder in ("framework/apps", "grader/apps") for end in ("h", "cpp"))
+                left += re.findall(r'#include "(?:grader/)?apps/(\w+)\.h"', "".join(map(self.read, files)))
+        return found
+
+    def helped(self, target):
+        """The flags in what a built program prints for --help; nothing where it is not built."""
+        program = self.programs and self.programs / target
+        if not program or not program.is_file():
+            return set()
+        said = subprocess.run([program, "--help"], stdout=subprocess.PIPE, text=True, timeout=60, check=True).stdout
+        rows = re.findall(r"^ +(-[-\w]+(?:,-[-\w]+)*)", said, re.MULTILINE)
+        return {name for row in rows for name in row.split(",")}
+
     def flags_for(self, command):
-        """Those of the program that a command starts; its own file, and what the programs of its folder share."""
+        """Those of the program that a command starts, and those that the script radlab takes itself."""
         target = self.commands[command]
         if target.endswith(".sh"):
             return set()
         if target.endswith(".py"):
             return self.flags["build"] | {"--help"}
-        own = set(self.flags.get(target, set()))
-        if target in ("render", "plan", "formfactors"):
-            for shared in ("SceneInput", "FormFactorRun", "RenderPicture", "RenderWays", "RenderToError"):
-                own |= self.flags.get(shared, set())
-        return own | {"--help", "--version"} | ({"--exercise"} if command == "demo" else set())
+        if command not in self.known:
+            own = self.helped(target) or set().union(*(self.flags.get(part, set()) for part in self.shared_with(target)))
+            self.known[command] = own | {"--help", "--version"} | ({"--exercise", "--extensions"} if command == "demo" else set())
+        return self.known[command]
 
 
 def command_faults(project, line):
@@ -136,8 +156,8 @@ def chapter_faults(project, text, numbers, figures, anchors):
         yield from (f"{number}: {fault}" for fault in faults)
 
 
-def faults_of(root):
-    project = Project(root)
+def faults_of(root, programs=None):
+    project = Project(root, programs)
     folder = root / "handout"
     numbers = json.loads((folder / "figures.json").read_text())
     figures = {f"figures/{file.name}" for file in (folder / "figures").iterdir()}
@@ -154,7 +174,7 @@ def faults_of(root):
 
 def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent).resolve()
-    faults = list(faults_of(root))
+    faults = list(faults_of(root, Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None))
     print("\n".join(faults) if faults else "every name, figure, number and citation of the handout is there")
     sys.exit(1 if faults else 0)
 

@@ -15,6 +15,7 @@ WRONG = {
     "see `framework/course/Missing.h`": "no file framework/course/Missing.h",
     "run `./radlab rendr`": "no command 'rendr' of ./radlab",
     "run `./radlab render --colour`": "'render' has no flag --colour",
+    "run `./radlab plan --shots 8`": "'plan' has no flag --shots",
     "run `./radlab check nothing`": "no stage 'nothing' of check",
     "run `./radlab bench nothing`": "no part 'nothing' of bench",
     "run `./radlab plan resources/scenes/missing.x3d`": "no file resources/scenes/missing.x3d",
@@ -28,7 +29,11 @@ WRONG = {
     "    ./radlab render --colour": "'render' has no flag --colour",
 }
 RIGHT = ["`calcFF` and `polygons[j]->formF`", "`./radlab check 3 --hint`", "`ff.facing`", "[@Cohen1988, section 3]", "`--method`",
-         "`framework/course/ProgRef.h`", "[start](#start)"]
+         "`framework/course/ProgRef.h`", "[start](#start)", "`./radlab render --shots 8`", "`./radlab formfactors --tolerance 1e-6`"]
+HELP = """Usage: render [OPTIONS]
+  -o,--out TEXT       What to write, in place of --old
+  --colour            All channels
+"""
 
 
 def faults_with(project, line):
@@ -51,12 +56,27 @@ def unused_are_found(root, folder):
     return expected <= set(found)
 
 
+def help_decides(root, folder):
+    """Where a program is built, what its --help lists is right, and nothing else; another that is not built is looked up in the sources."""
+    folder.mkdir(parents=True, exist_ok=True)
+    program = folder / "render"
+    program.write_text(f"#!/bin/sh\ncat <<'END'\n{HELP}END\n")
+    program.chmod(0o755)
+    project = check.Project(root, folder)
+    right = ["`./radlab render --colour -o a.png`", "`./radlab plan --json`", "`./radlab demo --exercise`"]
+    return not any(faults_with(project, line) for line in right) and \
+        faults_with(project, "`./radlab render --old`") == ["3: 'render' has no flag --old"] and \
+        faults_with(project, "`./radlab plan --colour`") == ["3: 'plan' has no flag --colour"]
+
+
 def main():
     root, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     project = check.Project(root)
     wrong = [f"{line}: expected '3: {said}', found {faults_with(project, line)}" for line, said in WRONG.items()
              if faults_with(project, line) != [f"3: {said}"]]
     wrong += [f"{line}: expected no fault, found {faults_with(project, line)}" for line in RIGHT if faults_with(project, line)]
+    if not help_decides(root, folder / "programs"):
+        wrong.append("the flags that a program lists for --help were not those that were right")
     if not unused_are_found(root, folder):
         wrong.append("a figure and a number that no chapter uses were not found")
     sys.exit("\n".join(wrong) if wrong else 0)
