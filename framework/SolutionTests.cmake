@@ -47,8 +47,4 @@ if(RADLAB_HAVE_WINDOW)
   endif()
   add_test(NAME "window-test: all cases" COMMAND ${on_display} $<TARGET_FILE:window-test>)
   set_tests_properties("window-test: all cases" PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: ")
-  if(RADLAB_SANITIZE)
-    # GLFW unloads the driver at its end, and then no suppression can name whose the leaks are.
-    set_tests_properties("window-test: all cases" PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
-  endif()
 endif()

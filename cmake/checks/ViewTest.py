@@ -213,6 +213,10 @@ def pick(viewer):
     viewer.compare()
     viewer.key("o", "the heat map", lambda s: s["mode"] == "form factors")
     viewer.compare()
+    viewer.click("let go of the picked patch", "nothing picked", lambda s: s["picked"] is None)
+    viewer.key("g", "smooth", lambda s: s["mode"] == "smooth")
+    viewer.xdotool("mousemove", 800, 860, "click", 1)
+    viewer.click("show form factors of the picked patch", "the heat map", lambda s: s["mode"] == "form factors")
     viewer.key("x", "nothing picked", lambda s: s["picked"] is None)
     viewer.key("g", "smooth", lambda s: s["mode"] == "smooth")
 
@@ -281,8 +285,43 @@ def write(text):
     part.replace(source)
 
 
+def sizes(viewer):
+    viewer.key("question", "no help", lambda s: not s["help"])
+    viewer.key("g", "smooth", lambda s: s["mode"] == "smooth")
+    viewer.key("r", "reset", lambda s: s["shots"] == 0)
+    before = viewer.key("n", "one shot", lambda s: s["shots"] == 1)
+    viewer.xdotool("mousemove", 150, 500, "click", 4)
+    viewer.xdotool("mousemove", 800, 500, "click", 4)
+    state = viewer.until("nearer by the wheel over the picture", lambda s: camera(s)["distance"] < camera(before)["distance"])
+    if camera(state)["distance"] < 0.85 * camera(before)["distance"]:
+        wrong("the wheel over the panel moved the camera")
+    window = subprocess.run(["xdotool", "search", "--name", "radlab view"], capture_output=True, text=True, check=True).stdout.split()[0]
+    for width, height in ((700, 500), (450, 300), (1300, 960)):
+        viewer.xdotool("windowsize", window, width, height)
+        viewer.until(f"a window of {width} x {height}", lambda s: s["picture"][2] == width and s["picture"][3] == height)
+        viewer.compare()
+    viewer.key("v", "the first view", lambda s: camera(s) != camera(state))
+
+
+def inputs_while_shooting(viewer, folder):
+    """A shot that lasts until a file is there: frames go on, the mouse turns the camera, and what is asked for comes after it."""
+    viewer.xdotool("key", "n")
+    before = viewer.state()
+    drag(viewer, 1)
+    state = viewer.until("a turn while it shoots", lambda s: camera(s)["direction"] != camera(before)["direction"])
+    viewer.xdotool("key", "l")
+    drag(viewer, 1)
+    state = viewer.until("another turn", lambda s: camera(s)["direction"] != camera(state)["direction"])
+    if state["shots"] != 0 or state["mode"] != "smooth":
+        wrong(f"something changed in the middle of a shot: {state}")
+    (folder / "go").touch()
+    viewer.until("the end of the shot, and what was asked for", lambda s: s["shots"] == 1 and s["mode"] == "flat")
+
+
 own = ["--source", str(source), "--target", "view-test-library", "--patch-size", "100"]
 with tempfile.TemporaryDirectory() as folder, Display():
+    os.environ["TMPDIR"] = str(pathlib.Path(folder) / "tmp")  # where libraries are copied to
+    os.mkdir(os.environ["TMPDIR"])
     if claim.startswith("every key"):
         viewer = Viewer(folder, "--solution", "--patch-size", "60")
         viewer.ready()
@@ -292,6 +331,7 @@ with tempfile.TemporaryDirectory() as folder, Display():
         pick(viewer)
         other_keys(viewer)
         buttons(viewer)
+        sizes(viewer)
         last = viewer.key("Left", "a turn", lambda s: True)
         last = viewer.settled()
         if last["gl_errors"] != 0:
@@ -330,9 +370,21 @@ with tempfile.TemporaryDirectory() as folder, Display():
         viewer.banner("distributeEnergy ran for more than 2 s")
         write(solution.replace("MyPolygon* maxenergy_patch() {", "static int initialised = *static_cast<volatile int*>(nullptr);\nMyPolygon* maxenergy_patch() {", 1))
         viewer.banner("while it was being loaded")
+        if list(pathlib.Path(os.environ["TMPDIR"]).glob("radlab-view-*")):
+            wrong("the library that crashed was left behind")
         write(solution)
         viewer.ready()
         viewer.key("n", "a shot", lambda s: s["shots"] == 1)
+        viewer.quit()
+    elif claim.startswith("a shot that"):
+        go = str(pathlib.Path(folder) / "go")
+        write(solution.replace("    hemicube->renderScene(", f"    while (!std::ifstream({json.dumps(go)}))\n        hemicube->renderScene(", 1)
+              .replace("#include", "#include <fstream>\n#include", 1))
+        viewer = Viewer(folder, "--hang-seconds", "600", *own)
+        viewer.ready()
+        inputs_while_shooting(viewer, pathlib.Path(folder))
+        if viewer.settled()["gl_errors"] != 0:
+            wrong("errors of OpenGL")
         viewer.quit()
     elif claim.startswith("what is wrong"):
         for arguments, says in ((["no-such.x3d"], "no such file"), (["--width", "7"], "--width"), (["--patch-size", "0"], "--patch-size"),

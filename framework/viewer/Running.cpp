@@ -56,6 +56,15 @@ RunningMark::~RunningMark() {
     place.what = before;
 }
 
+RunningPause::RunningPause(RunningNow& now) : place(now), before(now.what.load()), start(nanoseconds()) {
+    place.what = static_cast<int>(Running::none);
+}
+
+RunningPause::~RunningPause() {
+    place.since += nanoseconds() - start;
+    place.what = before;
+}
+
 CourseFunctions marked(const CourseFunctions& functions, RunningNow& now) {
     const auto shooter = [&now](auto function, Running what) {
         return [&now, function, what](auto... arguments) {

@@ -53,6 +53,20 @@ private:
     const int before, exceptions;
 };
 
+/// Says that none of it runs for a while, in the middle of a function, while it lives; the function's time stands still.
+class RunningPause {
+public:
+    explicit RunningPause(RunningNow& now);
+    ~RunningPause();
+    RunningPause(const RunningPause&) = delete;
+    RunningPause& operator=(const RunningPause&) = delete;
+
+private:
+    RunningNow& place;
+    const int before;
+    const std::int64_t start;
+};
+
 /// The same functions, each marked while it runs; a shooter that is none of `polygons` is an Error that names the function.
 CourseFunctions marked(const CourseFunctions& functions, RunningNow& now);
 

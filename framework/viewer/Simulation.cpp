@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/Error.h"
-#include "base/Stopwatch.h"
 #include "display/HemicubePicture.h"
 #include "solver/MethodChoice.h"
 #include "viewer/WatchedHemicube.h"
@@ -44,6 +43,23 @@ std::string nextStep(const std::string& function) {
            " in exercises/ProgRef.cpp. Saving the file is enough; the viewer rebuilds it.";
 }
 
+// The form factors of another row, while it lives.
+class ShownRow {
+public:
+    ShownRow(PatchMesh& patchMesh, std::vector<float>& shown) : mesh(patchMesh), row(shown) { exchange(); }
+    ~ShownRow() { exchange(); }
+    ShownRow(const ShownRow&) = delete;
+    ShownRow& operator=(const ShownRow&) = delete;
+
+private:
+    void exchange() {
+        for (std::size_t i = 0; i < row.size(); ++i) std::swap(mesh.patches[i].formF, row[i]);
+    }
+
+    PatchMesh& mesh;
+    std::vector<float>& row;
+};
+
 // The unshot radiosities and form factors of all patches, put back when it goes.
 class KeptPatches {
 public:
@@ -68,6 +84,21 @@ Simulation::Simulation(Scene scene, RunningNow& place) : shown(std::move(scene))
 
 bool Simulation::finished() const { return now.unshot <= 0.0 || now.unshotShare <= leastShare; }
 
+void Simulation::setInterlude(double seconds, std::function<void()> action) {
+    interludeAfter = seconds;
+    meanwhile = std::move(action);
+}
+
+void Simulation::interlude() {
+    if (!shooting || !meanwhile || sinceInterlude.seconds() < interludeAfter) return;
+    const RunningPause pause(running);
+    const ShownRow shownRow(*patches, row);
+    const Stopwatch watch;
+    meanwhile();
+    interludeSeconds += watch.seconds();
+    sinceInterlude.restart();
+}
+
 void Simulation::setFunctions(const std::optional<CourseFunctions>& functions) {
     course.reset();
     if (functions) course = marked(*functions, running);
@@ -89,7 +120,8 @@ void Simulation::restart(const ViewState& state) {
     coloured = false;
     chosen = formFactorMethod(state.method, found);
     if (!hemicube || hemicube->rendersize != 2 * state.hemicubeSize)
-        hemicube = std::make_unique<WatchedHemicube>(state.hemicubeSize, running);
+        hemicube = std::make_unique<WatchedHemicube>(state.hemicubeSize, running, [this] { interlude(); });
+    interludeSeconds = 0.0;
     solver = std::make_unique<Progressive>(
         *patches, [this] { return setFormFactors(); }, course.value_or(CourseFunctions{}));
     now = solver->progress();
@@ -125,13 +157,18 @@ bool Simulation::attempt(const std::function<void()>& action) {
 bool Simulation::shootOnce() {
     bool shot = false;
     const double before = now.seconds;
+    row.clear();
+    for (const MyPolygon& patch : patches->patches) row.push_back(patch.formF);
+    shooting = true;
     const bool well = attempt([&] {
         // Called by itself first, so that what goes wrong in it bears its name.
         MyPolygon* const brightest = course->maxenergyPatch();
         shot = solver->shoot();
         if (shot && brightest) shooter = static_cast<std::size_t>(brightest - patches->patches.data());
     });
+    shooting = false;
     now = solver->progress();
+    now.seconds -= interludeSeconds;
     if (shot) records.push_back({now.unshotShare, now.seconds - before});
     return well && shot;
 }
@@ -139,6 +176,7 @@ bool Simulation::shootOnce() {
 int Simulation::shoot(int most, double seconds) {
     if (!course || finished()) return 0;
     trouble.reset();
+    sinceInterlude.restart();
     const Stopwatch watch;
     int shots = 0;
     while (shots < most && !finished() && shootOnce()) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/Image.h"
+#include "base/Stopwatch.h"
 #include "course/PatchMesh.h"
 #include "scene/Effects.h"
 #include "scene/Scene.h"
@@ -63,6 +65,11 @@ public:
     /// Whether nothing is left to shoot: all is black, or a thousandth of the emitted power remains.
     bool finished() const;
 
+    /// What is done between the faces of a hemicube where a shot takes longer than so many seconds, again and again: draw a frame, say.
+    ///
+    /// The patches are then as the last whole shot left them. It must change nothing here, and put all OpenGL state back.
+    void setInterlude(double seconds, std::function<void()> action);
+
     /// Takes other functions; call restart afterwards. None where there are none.
     void setFunctions(const std::optional<CourseFunctions>& functions);
 
@@ -90,6 +97,7 @@ public:
 
 private:
     bool shootOnce();
+    void interlude();
     void giveUp(const std::string& text);
     MyPolygon* setFormFactors();
     void setRow(std::size_t patch);
@@ -103,6 +111,11 @@ private:
     Effects found;
     FormFactorMethod chosen = FormFactorMethod::hemicube;
     Progress now;
+    std::function<void()> meanwhile;
+    double interludeAfter = 0.0, interludeSeconds = 0.0;
+    Stopwatch sinceInterlude;
+    std::vector<float> row;  // the form factors of the last whole shot, while another is made
+    bool shooting = false;
     std::optional<Problem> trouble;
     std::vector<ShotRecord> records;
     std::optional<std::size_t> shooter;

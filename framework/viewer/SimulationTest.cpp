@@ -45,6 +45,62 @@ TEST_CASE("shots stop at their number, are recorded one by one, and unshot power
     CHECK(room.simulation.shoot(1000, 0.0) == 1);  // no time left: one shot all the same
 }
 
+TEST_CASE("a long shot is interrupted between faces, the patches then being as the last whole shot left them") {
+    Room room("cornell_2");
+    room.begin(linkedFunctions());
+    const std::vector<MyPolygon>& patches = room.simulation.mesh().patches;
+    const auto row = [&] {
+        std::vector<float> formFactors;
+        for (const MyPolygon& patch : patches) formFactors.push_back(patch.formF);
+        return formFactors;
+    };
+    room.simulation.shoot(1, 1e9);
+    const std::vector<float> first = row();
+    int interludes = 0;
+    room.simulation.setInterlude(0.0, [&] {
+        ++interludes;
+        CHECK(row() == first);
+        CHECK(room.running.running() == Running::none);
+        CHECK(room.simulation.progress().shots == 1);
+    });
+    CHECK(room.simulation.shoot(1, 1e9) == 1);
+    CHECK(interludes == 7);  // five faces, before and after they are read
+    CHECK(row() != first);
+    CHECK(room.simulation.progress().shots == 2);
+    room.simulation.setInterlude(0.0, [&] { FAIL("a look is no shot"); });
+    CHECK(room.simulation.lookFrom(5));
+}
+
+TEST_CASE("a shot is the same with and without frames drawn in its middle") {
+    std::vector<Vec3f> radiosities[2];
+    for (int drawn = 0; drawn < 2; ++drawn) {
+        Room room("cornell_2");
+        room.begin(linkedFunctions());
+        SceneDrawing drawing;
+        drawing.rebuild();
+        if (drawn)
+            room.simulation.setInterlude(0.0,
+                                         [&] { drawnPicture(drawing, room.simulation, room.state, {}, 40, 40, {}); });
+        room.simulation.shoot(3, 1e9);
+        for (const MyPolygon& patch : room.simulation.mesh().patches) radiosities[drawn].push_back(patch.rad);
+        CHECK(drawing.glErrors() == 0);
+    }
+    CHECK(radiosities[0] == radiosities[1]);
+}
+
+TEST_CASE("the time of what is interrupted stands still") {
+    RunningNow now;
+    const RunningMark mark(now, Running::calcFF);
+    const std::int64_t since = now.since;
+    {
+        const RunningPause pause(now);
+        CHECK(now.running() == Running::none);
+        CHECK(now.seconds() == 0.0);
+    }
+    CHECK(now.running() == Running::calcFF);
+    CHECK(now.since > since);
+}
+
 TEST_CASE("a stub is named with its stage, and the scene stays as it stands") {
     Room room("cornell_2");
     CourseFunctions functions = linkedFunctions();

@@ -14,6 +14,7 @@ struct SharedView {
     ViewState state;
     char loaded[64] = "";   ///< stamp of the source whose functions are in use
     char scene[4096] = "";  ///< the file that is shown; empty before the first
+    char copy[4096] = "";   ///< the library that is being loaded; a crash leaves it behind
 };
 
 /// Why a viewer was started anew; all empty for the first.

@@ -1,85 +1,39 @@
 #include "viewer/Viewer.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "base/ImageFile.h"
 #include "base/WholeFile.h"
-#include "scene/X3dReader.h"
 #include "viewer/CourseLibrary.h"
+#include "viewer/ViewerFiles.h"
 
 namespace radlab {
 
 namespace {
 
-constexpr double shotSeconds = 0.006;  // of the 33 ms of a frame; a shot that has begun is ended
+constexpr double shotSeconds =
+    0.006;  // of the 33 ms of a frame; where a shot takes longer, frames are drawn in between
 constexpr float turn = 0.1f, step = 1.12f;
-constexpr double patchesAtFirst = 1000.0;
 constexpr double keepSeconds = 1.0, watchSeconds = 0.1;
 
-struct Input {
-    Scene scene;
-    ViewState state;
-};
-
-// A scene, with the settings of its Resource.xml where it is named by one.
-Input inputOf(std::filesystem::path file) {
-    Input input;
-    if (file.extension() == ".xml") {
-        const Resource resource = readResource(file);
-        input.state.patchSize = resource.patchSize;
-        input.state.lightSize = resource.lightSize;
-        input.state.hemicubeSize = resource.hemicubeSize;
-        input.state.method = resource.method;
-        file = resource.sceneFile;
-    }
-    input.scene = readX3d(file);
-    if (!(input.state.patchSize > 0.0f))
-        input.state.patchSize = input.state.lightSize = patchSizeFor(input.scene, patchesAtFirst);
-    const Camera camera = input.scene.cameras.empty() ? Camera{} : input.scene.cameras.front();
-    input.state.camera = orbitFrom(camera, input.scene.vertices);
-    if (input.scene.cameras.empty()) {
-        const Ball ball = ballRound(input.scene.vertices);
-        input.state.camera.frame(ball.centre, ball.radius);
-    }
-    return input;
-}
-
 }  // namespace
-
-std::filesystem::path keptFile(const std::filesystem::path& folder, const std::filesystem::path& scene) {
-    std::uint64_t hash = 14695981039346656037u;  // FNV-1a, of the path, since scenes of one name lie in many folders
-    for (const char c : std::filesystem::absolute(scene).lexically_normal().string())
-        hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    char name[32];
-    std::snprintf(name, sizeof name, "-%08x.json", static_cast<unsigned>(hash >> 32 ^ hash));
-    return folder / (scene.stem().string() + name);
-}
-
-std::filesystem::path nextScreenshot(const std::filesystem::path& folder, const std::string& name) {
-    for (int number = 1;; ++number) {
-        char ending[32];
-        std::snprintf(ending, sizeof ending, "-%03d.png", number);
-        if (!std::filesystem::exists(folder / (name + ending))) return folder / (name + ending);
-    }
-}
 
 Viewer::Viewer(ViewerOptions what, SharedView& place, const Restart& restarted)
     : options(std::move(what)), shared(place), build(options.library), crash(restarted.message) {
     const bool again = !restarted.message.empty();
+    removeCopy();
     if (restarted.inInitialiser) build.passOver(shared.loaded);
     const ViewState before = shared.state;
     open(again && shared.scene[0] ? std::filesystem::path(shared.scene) : options.scene);
-    if (again) apply(before);
+    if (again) take(before);
     playing = options.play && !again;
 }
 
 void Viewer::open(const std::filesystem::path& scene) {
     keepView();
-    Input input = inputOf(scene);
+    OpenedScene input = openedScene(scene);
     auto next = std::make_unique<Simulation>(std::move(input.scene), shared.running);
     ViewState state = input.state;
     if (!options.forget) try {
@@ -91,6 +45,7 @@ void Viewer::open(const std::filesystem::path& scene) {
     if (scene == options.scene && options.patchSize > 0.0f) state.patchSize = state.lightSize = options.patchSize;
     if (scene == options.scene && options.hemicubeSize > 0) state.hemicubeSize = options.hemicubeSize;
     if (canRun()) next->setFunctions(functions);
+    next->setInterlude(shotSeconds, [this] { drawMeanwhile(); });
     next->cut(state);
     solving = std::move(next);
     settings = state;
@@ -100,15 +55,40 @@ void Viewer::open(const std::filesystem::path& scene) {
     share();
 }
 
+void Viewer::perform(Command command) {
+    requests.push_back([this, command] { obey(command); });
+}
+
+void Viewer::pick(const Place& place, int x, int y) {
+    requests.push_back([this, place, x, y] {
+        chosen = {drawing.pick(*solving, settings, place, x, y), {}};
+        look();
+    });
+}
+
 void Viewer::choose(const std::filesystem::path& scene) {
-    try {
-        open(scene);
-    } catch (const Error& error) {
-        tell("This scene cannot be shown", error.what());
-    }
+    requests.push_back([this, scene] {
+        try {
+            open(scene);
+        } catch (const Error& error) {
+            tell("This scene cannot be shown", error.what());
+        }
+    });
 }
 
 void Viewer::apply(const ViewState& wanted) {
+    requests.push_back([this, wanted] {
+        const Stopwatch watch;
+        take(wanted);
+        lastApply = watch.seconds();
+    });
+}
+
+void Viewer::drawMeanwhile() {
+    if (frameMeanwhile && settings.mode != Mode::ids) frameMeanwhile();  // its pictures call renderPatchIDs
+}
+
+void Viewer::take(const ViewState& wanted) {
     try {
         if (wanted.patchSize != settings.patchSize || wanted.lightSize != settings.lightSize) {
             solving->cut(wanted);
@@ -157,6 +137,7 @@ void Viewer::tell(const std::string& title, const std::string& text) {
 void Viewer::load(const LibraryOutcome& made) {
     const bool changed = made.stamp != shared.loaded && shared.loaded[0];
     std::strncpy(shared.loaded, made.stamp.c_str(), sizeof shared.loaded - 1);
+    std::strncpy(shared.copy, made.library.string().c_str(), sizeof shared.copy - 1);
     try {
         const RunningMark mark(shared.running, Running::loading);
         functions = loadCourseFunctions(made.library);
@@ -170,8 +151,13 @@ void Viewer::load(const LibraryOutcome& made) {
     } catch (const Error& error) {
         compileError = error.what();
     }
+    removeCopy();  // it stays loaded
+}
+
+void Viewer::removeCopy() {
     std::error_code ignored;
-    std::filesystem::remove(made.library, ignored);  // it stays loaded
+    if (shared.copy[0]) std::filesystem::remove(shared.copy, ignored);
+    shared.copy[0] = '\0';
 }
 
 void Viewer::takeLibrary() {
@@ -201,6 +187,7 @@ void Viewer::resume() {
 
 void Viewer::advance() {
     share();
+    for (const auto& request : std::exchange(requests, {})) request();
     if (buildTime.seconds() > watchSeconds) {
         takeLibrary();
         buildTime.restart();
@@ -236,7 +223,7 @@ void Viewer::quit() {
     ending = true;
 }
 
-void Viewer::perform(Command command) {
+void Viewer::obey(Command command) {
     OrbitCamera& camera = settings.camera;
     switch (command) {
         case Command::playPause:
@@ -268,23 +255,16 @@ void Viewer::perform(Command command) {
             const Ball ball = ballRound(solving->scene().vertices);
             return camera.frame(ball.centre, ball.radius);
         }
-        case Command::firstView: camera = inputOf(file).state.camera; return;
+        case Command::firstView: camera = openedScene(file).state.camera; return;
         case Command::brighter: return exposeBy(1.2599f);
         case Command::darker: return exposeBy(1.0f / 1.2599f);
         case Command::autoExposure: settings.autoExposure = !settings.autoExposure; return;
-        case Command::unpick: return unpick();
+        case Command::unpick: chosen = {}; return;
         case Command::panel: settings.panel = !settings.panel; return;
         case Command::screenshot: pendingScreenshot = true; return;
         case Command::help: help = !help; return;
         case Command::quit: return quit();
     }
-}
-
-void Viewer::unpick() { chosen = {}; }
-
-void Viewer::pick(const Place& place, int x, int y) {
-    chosen = {drawing.pick(*solving, settings, place, x, y), {}};
-    look();
 }
 
 void Viewer::look() {
@@ -320,29 +300,6 @@ void Viewer::takeScreenshot() {
     } catch (const Error& error) {
         tell("No screenshot", error.what());
     }
-}
-
-std::vector<Banner> Viewer::banners() const {
-    using Kind = Banner::Kind;
-    std::vector<Banner> all;
-    if (!crash.empty()) {
-        const std::size_t end = crash.find('\n');
-        all.push_back({Kind::problem, crash.substr(0, end), crash.substr(end + 1)});
-    }
-    if (!compileError.empty()) {
-        const char* rest = functions ? "\nThe functions from before stay in use."
-                                     : "\nSave the file once it is mended; it is built again.";
-        all.push_back(
-            {Kind::problem, options.library.source.filename().string() + " does not compile", compileError + rest});
-    }
-    if (const auto& problem = solving->problem()) {
-        const std::size_t end = problem->text.find('\n');
-        all.push_back({problem->notWritten ? Kind::stub : Kind::problem, problem->text.substr(0, end),
-                       end == std::string::npos ? "" : problem->text.substr(end + 1)});
-    }
-    if (build.isBuilding()) all.push_back({Kind::note, "Compiling", options.library.source.filename().string()});
-    if (notice && noticeTime.seconds() < noticeSeconds) all.push_back(*notice);
-    return all;
 }
 
 }  // namespace radlab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,8 @@ struct Banner {
 
 /// The viewer without its window: what commands do, what the panel changes, what is drawn.
 ///
+/// What is asked for (perform, pick, choose, apply) is done by the next advance(), in its order, and never in the middle of a shot.
+///
 /// @pre a GlContext is current, the same one for all calls
 class Viewer {
 public:
@@ -41,25 +44,26 @@ public:
 
     void perform(Command command);
 
-    /// What happens between two frames: a library that was built is taken, shots are made, the view is kept.
-    void advance();
-
-    void draw(const Place& place);
-
     /// Picks what lies at a pixel of the picture, counted from its bottom left; background lets go.
     void pick(const Place& place, int x, int y);
-    void unpick();
 
-    /// Shows another scene, as it was looked at last.
-    void open(const std::filesystem::path& file);
-
-    /// The same; a scene that cannot be read is told, and the one from before stays.
+    /// Shows another scene, as it was looked at last; one that cannot be read is told, and the one from before stays.
     void choose(const std::filesystem::path& file);
 
     /// Takes settings that change the mesh or the solver, and starts anew.
     void apply(const ViewState& wanted);
 
-    void quit();
+    /// What draws a frame where a shot takes longer than a frame should; it must not call advance().
+    void setFrameMeanwhile(std::function<void()> frame) { frameMeanwhile = std::move(frame); }
+
+    /// What happens between two frames: what was asked for is done, a library that was built is taken, shots are made, the view is
+    /// kept.
+    void advance();
+
+    /// Whether something that was asked for is still to be done.
+    bool hasRequests() const { return !requests.empty(); }
+
+    void draw(const Place& place);
 
     ViewState& state() { return settings; }
     Simulation& simulation() { return *solving; }
@@ -73,8 +77,8 @@ public:
     bool helpShown() const { return help; }
     bool closing() const { return ending; }
 
-    /// Whether the next frame differs without any input.
-    bool isBusy() const { return playing || (notice && noticeTime.seconds() < noticeSeconds); }
+    /// How long the last change of mesh or solver took.
+    double applySeconds() const { return lastApply; }
 
     /// What to tell over the picture: the weightiest first.
     std::vector<Banner> banners() const;
@@ -85,7 +89,13 @@ public:
     static constexpr double noticeSeconds = 5.0;
 
 private:
+    void open(const std::filesystem::path& file);
+    void obey(Command command);
+    void take(const ViewState& wanted);
+    void quit();
+    void drawMeanwhile();
     void load(const LibraryOutcome& made);
+    void removeCopy();
     void resume();
     void giveFunctions();
     void takeLibrary();
@@ -110,17 +120,14 @@ private:
     Picked chosen;
     std::optional<CourseFunctions> functions;
     Place lastPlace;
+    std::vector<std::function<void()>> requests;
+    std::function<void()> frameMeanwhile;
     std::string crash, compileError, kept;
     std::optional<Banner> notice;
     Stopwatch noticeTime, keepTime, buildTime;
     bool playing = false, help = false, ending = false, pendingScreenshot = false;
     int loaded = 0;
+    double lastApply = 0.0;  // seconds
 };
-
-/// The file in `folder` that keeps the view of a scene.
-std::filesystem::path keptFile(const std::filesystem::path& folder, const std::filesystem::path& scene);
-
-/// NAME-001.png in `folder`, or the next number that is not taken.
-std::filesystem::path nextScreenshot(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace radlab

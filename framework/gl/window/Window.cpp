@@ -3,6 +3,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 #include "base/Error.h"
 
 namespace radlab {
@@ -35,7 +39,11 @@ Window::Window(int width, int height, const std::string& title, bool visible) {
 
 Window::~Window() {
     glfwDestroyWindow(window);
-    if (--openWindows == 0) glfwTerminate();
+    if (--openWindows > 0) return;
+#ifdef __SANITIZE_ADDRESS__
+    __lsan_do_leak_check();  // GLFW unloads the driver now, and then no suppression can name whose the leaks are
+#endif
+    glfwTerminate();
 }
 
 void Window::bind() { glfwMakeContextCurrent(window); }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <set>
 
-#include "base/Stopwatch.h"
 #include "viewer/window/Ui.h"
 
 namespace radlab {
@@ -108,7 +107,6 @@ bool choice(Ui& ui, const char* name, const char* tooltip, Value& value, const V
 void sizeSlider(Ui& ui, const char* name, const char* tooltip, float ViewState::*size) {
     static float live = 0.0f;  // while the slider is held
     static const char* held = nullptr;
-    static double lastSeconds = 0.0;  // that cutting took
     ViewState wanted = ui.viewer.state();
     const float now = wanted.*size;
     float value = held == name ? live : now;
@@ -122,11 +120,9 @@ void sizeSlider(Ui& ui, const char* name, const char* tooltip, float ViewState::
         live = value;
     }
     const bool released = held == name && !ImGui::IsItemActive();
-    if (released || (moved && lastSeconds < liveSeconds)) {
+    if (released || (moved && ui.viewer.applySeconds() < liveSeconds)) {
         wanted.*size = live;
-        const Stopwatch watch;
         if (live != now) ui.viewer.apply(wanted);
-        lastSeconds = watch.seconds();
     }
     if (released) held = nullptr;
 }

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <deque>
-#include <iostream>
 
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
@@ -12,7 +9,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "gl/SavedState.h"
 #include "gl/window/Window.h"
+#include "viewer/window/FrameMeter.h"
+#include "viewer/window/Keyboard.h"
 #include "viewer/window/Texture.h"
 #include "viewer/window/Trace.h"
 #include "viewer/window/Ui.h"
@@ -24,49 +24,15 @@ namespace {
 constexpr int settlingFrames = 4;    // drawn after the last input, so that controls come to rest
 constexpr double idleSeconds = 0.1;  // between two looks at the file while nothing happens
 constexpr float dragStart = 4.0f;    // window units that a click may move
-constexpr std::size_t framesMeasured = 40;
 
-Key keyOf(int key) {
-    switch (key) {
-        case GLFW_KEY_ESCAPE: return Key::escape;
-        case GLFW_KEY_F1: return Key::f1;
-        case GLFW_KEY_LEFT: return Key::left;
-        case GLFW_KEY_RIGHT: return Key::right;
-        case GLFW_KEY_UP: return Key::up;
-        case GLFW_KEY_DOWN: return Key::down;
-        default: return Key::none;
-    }
-}
-
-// What keys asked for since the last frame, in their order.
-struct KeyQueue {
-    std::deque<Command> commands;
-    bool repeating = false;
-
-    void add(std::optional<Command> command) {
-        if (command && (!repeating || repeats(*command))) commands.push_back(*command);
-    }
-};
-
-KeyQueue& queueOf(GLFWwindow* window) { return *static_cast<KeyQueue*>(glfwGetWindowUserPointer(window)); }
-
-void onKey(GLFWwindow* window, int key, int, int action, int) {
-    if (action == GLFW_RELEASE) return;
-    queueOf(window).repeating = action == GLFW_REPEAT;
-    queueOf(window).add(commandOf(keyOf(key)));
-}
-
-void onCharacter(GLFWwindow* window, unsigned int character) {
-    if (character < 128) queueOf(window).add(commandOf(static_cast<char>(character)));
-}
-
-// ImGui with its two backends, while it lives.
+// ImGui with its two backends in the window's context, which becomes current, while it lives.
 class ImGuiSession {
 public:
-    explicit ImGuiSession(GLFWwindow* window) {
+    explicit ImGuiSession(Window& window) {
+        window.makeCurrent();
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
+        ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
         ImGui_ImplOpenGL2_Init();
     }
     ~ImGuiSession() {
@@ -83,32 +49,25 @@ public:
     ViewerWindow(const WindowOptions& how, const ViewerOptions& options, SharedView& shared, const Restart& restart)
         : look(how),
           window(how.width, how.height, "radlab view", true),
-          keys(prepared()),
-          session(window.handle()),
+          keyboard(window.handle()),
+          session(window),
           viewer(options, shared, restart),
           ui(viewer),
-          trace(how.trace) {
+          trace(how.trace),
+          meter(how.benchSeconds) {
+        glfwSetWindowSizeLimits(window.handle(), 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        glfwSwapInterval(look.benchSeconds > 0.0 ? 0 : 1);
+        viewer.setFrameMeanwhile([this] { frameMeanwhile(); });
         rescale();
     }
 
     int run() {
         while (!viewer.closing()) frame();
-        if (look.benchSeconds > 0.0) tellBench();
+        if (look.benchSeconds > 0.0) meter.tell(viewer);
         return 0;
     }
 
 private:
-    std::unique_ptr<KeyQueue> prepared() {
-        window.makeCurrent();
-        auto queue = std::make_unique<KeyQueue>();
-        glfwSetWindowUserPointer(window.handle(), queue.get());
-        glfwSetKeyCallback(window.handle(), onKey);
-        glfwSetCharCallback(window.handle(), onCharacter);
-        glfwSetWindowSizeLimits(window.handle(), 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
-        glfwSwapInterval(look.benchSeconds > 0.0 ? 0 : 1);
-        return queue;
-    }
-
     // Fonts and paddings anew where the window has come to a display of another scale.
     void rescale() {
         float wanted = look.scale;
@@ -127,24 +86,32 @@ private:
     }
 
     void frame() {
-        const bool animated = viewer.isPlaying() || unsettled > 0;
+        const bool animated = viewer.isPlaying() || viewer.hasRequests() || unsettled > 0;
         if (animated)
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(idleSeconds);
-        if (glfwWindowShouldClose(window.handle())) viewer.quit();
-        obeyKeys();
+        askForCommands();
         viewer.advance();
         rescale();
         drawFrame();
-        measure();
     }
 
-    void obeyKeys() {
-        if (ImGui::GetIO().WantTextInput) keys->commands.clear();
-        for (const Command command : keys->commands) viewer.perform(command);
-        unsettled = keys->commands.empty() ? std::max(0, unsettled - 1) : settlingFrames;
-        keys->commands.clear();
+    // In the middle of a shot: what is asked for now is done after it.
+    void frameMeanwhile() {
+        const SavedState saved;
+        gl().bindFramebuffer(GL_FRAMEBUFFER, 0);
+        glfwPollEvents();
+        askForCommands();
+        drawFrame();
+    }
+
+    void askForCommands() {
+        if (glfwWindowShouldClose(window.handle())) viewer.perform(Command::quit);
+        const std::vector<Command> commands = keyboard.take();
+        unsettled = commands.empty() ? std::max(0, unsettled - 1) : settlingFrames;
+        if (ImGui::GetIO().WantTextInput) return;
+        for (const Command command : commands) viewer.perform(command);
     }
 
     void drawFrame() {
@@ -167,6 +134,8 @@ private:
         while (glGetError() != GL_NO_ERROR) ++glErrors;
         glfwSwapBuffers(window.handle());
         trace.write(ui, picture, glErrors + viewer.glErrors());
+        meter.count(viewer);
+        ui.framesPerSecond = meter.framesPerSecond();
     }
 
     bool inspecting() { return viewer.state().panel && viewer.picked().patch.has_value(); }
@@ -249,54 +218,20 @@ private:
         ui.weightTexture = weights.id();
     }
 
-    void measure() {
-        const double now = glfwGetTime();
-        if (lastFrame > 0.0) times.push_back(now - lastFrame);
-        lastFrame = now;
-        if (times.size() > framesMeasured) times.pop_front();
-        double sum = 0.0;
-        for (const double time : times) sum += time;
-        ui.framesPerSecond = sum > 0.0 ? static_cast<double>(times.size()) / sum : 0.0;
-        if (look.benchSeconds > 0.0 && viewer.canRun()) bench(now);
-    }
-
-    // Shoots over and over: what is measured is a viewer at work.
-    void bench(double now) {
-        if (benchStart == 0.0) {
-            benchStart = now;
-            viewer.perform(Command::playPause);
-            return;
-        }
-        ++benchFrames;
-        slowest = std::max(slowest, times.empty() ? 0.0 : times.back());
-        benchShots = std::max(benchShots, viewer.simulation().progress().shots);
-        if (now - benchStart >= look.benchSeconds || !viewer.isPlaying()) {
-            benchLength = now - benchStart;
-            viewer.quit();
-        }
-    }
-
-    void tellBench() {
-        std::printf("%zu patches, %s: %.1f frames/s, slowest frame %.1f ms, %.1f shots/s in %.1f s\n",
-                    viewer.simulation().mesh().patches.size(), nameOf(viewer.simulation().method()),
-                    benchFrames / benchLength, 1e3 * slowest, benchShots / benchLength, benchLength);
-    }
-
     const WindowOptions look;
     Window window;
-    std::unique_ptr<KeyQueue> keys;
+    Keyboard keyboard;
     ImGuiSession session;
     Viewer viewer;
     Ui ui;
     Trace trace;
+    FrameMeter meter;
     Texture ids, weights;
     const void* textured = nullptr;
     ImVec4 picture{};
     bool dragging = false;
     float moved = 0.0f;
-    int unsettled = settlingFrames, glErrors = 0, benchFrames = 0, benchShots = 0;
-    double lastFrame = 0.0, benchStart = 0.0, benchLength = 1.0, slowest = 0.0;
-    std::deque<double> times;
+    int unsettled = settlingFrames, glErrors = 0;
 };
 
 }  // namespace
