@@ -62,7 +62,7 @@ def set_better(body):
 
 
 def figures_in(body):
-    """Figures with their numbers; drawings stand in the page, so that its colours reach them."""
+    """Figures with their numbers; drawings stand in the page, so that its colours reach them; for phones, the narrow form of a plot."""
     count = iter(range(1, 1000))
     body = re.sub(r"<figcaption[^>]*>", lambda _: f"<figcaption><b>Figure {next(count)}.</b> ", body)
 
@@ -70,6 +70,13 @@ def figures_in(body):
         return re.sub(r"^<\?xml.*?\?>\s*|<!DOCTYPE.*?>\s*", "", (HERE / match.group(1)).read_text(), flags=re.DOTALL)
     body = re.sub(r'<img src="(figures/(?!plot-)[^"]+\.svg)"[^>]*/>', drawing, body)
     body = re.sub(r'<img src="([^"]+)"', r'<img loading="lazy" src="\1"', body)
+
+    def narrow(match):
+        other = match.group(1).replace(".svg", "-narrow.svg")
+        if not (HERE / other).exists():
+            return match.group(0)
+        return f'<picture><source media="screen and (max-width: 480px)" srcset="{other}" />{match.group(0)}</picture>'
+    body = re.sub(r'<img [^>]*src="(figures/plot-[^"]+\.svg)"[^>]*/>', narrow, body)
     return re.sub(r"<table>(.*?)</table>", r'<div class="wide"><table>\1</table></div>', body, flags=re.DOTALL)
 
 

@@ -166,7 +166,8 @@ def faults_of(root, programs=None):
     anchors = set(re.findall(r"\{#([\w-]+)", whole))
     for name, text in texts.items():
         yield from (f"handout/{name}:{fault}" for fault in chapter_faults(project, text, numbers, figures, anchors))
-    for name in sorted(figures - set(re.findall(r"\]\((figures/[^)]+)\)", whole))):
+    shown = set(re.findall(r"\]\((figures/[^)]+)\)", whole))
+    for name in sorted(figures - shown - {name.replace(".svg", "-narrow.svg") for name in shown}):
         yield f"handout/{name}: no chapter shows it"
     for name in sorted(set(numbers) - set(re.findall(r"\{\{(\w+)\}\}", whole)) - {"delta_8_table"}):
         yield f"handout/figures.json: no chapter uses {name}"

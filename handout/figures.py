@@ -2,16 +2,20 @@
 """Makes every figure and number of the handout from the scenes: figures.py PROGRAMS [STEP…], the folder of the built programs.
 
 Leaves pictures, plots and diagrams in handout/figures and the numbers in handout/figures.json; some minutes. Steps: numbers, curves,
-pictures, demo, meshes, race, drawings; without any, all.
+pictures, demo, extensions, meshes, plan, study, race, viewer, drawings; without any, all. Times are measured by curves, study and race:
+let nothing else run.
 """
+import csv
 import json
 import re
+import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 import diagrams
+import viewer
 
 ROOT = Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "handout/figures"
@@ -19,12 +23,15 @@ WORK = ROOT / "out/handout/work"
 BOX = "resources/scenes/cornell_2.x3d"
 EXPOSURE = 1.6
 PICTURE = ["--width", "256", "--height", "256"]
+PLANNED = ("cornell_1", "cornell_2", "grey_room", "mirror")
 REFERENCE_PATHS, FEW_PATHS = 1024, 16
 
 
 def run(programs, *words):
     """Runs one of the programs; what it says and the seconds that it took from start to end."""
     print("radlab: " + " ".join(str(word) for word in words), file=sys.stderr, flush=True)
+    if not (programs / words[0]).exists():
+        sys.exit(f"radlab: {words[0]} is not built; run: ninja -C {programs.parent} {words[0]}")
     begin = time.monotonic()
     done = subprocess.run([programs / words[0], *map(str, words[1:])], cwd=ROOT, text=True, stdout=subprocess.PIPE)
     if done.returncode:
@@ -43,12 +50,17 @@ def display(programs, source, target, shrink=1):
     run(programs, "handout-figures", "display", source, "-o", FIGURES / target, "--exposure", EXPOSURE, "--shrink", shrink)
 
 
+def counted(text):
+    """With commas in whole numbers of four digits and more: 1,071 for 1071."""
+    return re.sub(r"(?<![\d.,])\d{4,}(?![\d.])", lambda number: f"{int(number.group()):,}", str(text))
+
+
 def percent(share):
     return f"{100 * share:.2g} %"
 
 
 def seconds(time_taken):
-    return f"{time_taken:.0f} s" if time_taken >= 10 else f"{time_taken:.2g} s"
+    return f"{time_taken:.0f} s" if time_taken >= 10 else f"{time_taken:.2g} s" if time_taken >= 0.01 else f"{time_taken:.1g} s"
 
 
 def demo_pictures(programs, numbers):
@@ -109,12 +121,12 @@ def race(programs, numbers):
     good, good_paths, good_time = paths_until(programs, "paths-error", max(1, round(one_path / error**2)),
                                               lambda file, _: error_of(programs, file, reference, own), error, -0.5)
     numbers.update({
-        "race_patches": f'{int(found(r"; ([0-9]+) patches", said)):,}', "race_estimate": found(r"estimated error: ([0-9.]+ %)", said),
+        "race_patches": counted(found(r"; ([0-9]+) patches", said)), "race_estimate": found(r"estimated error: ([0-9.]+ %)", said),
         "race_time": seconds(taken), "race_error": percent(error),
-        "race_reference_paths": f"{REFERENCE_PATHS:,}", "race_reference_time": seconds(slow),
-        "race_same_time_paths": str(quick_paths), "race_same_time": seconds(quick_time),
+        "race_reference_paths": counted(REFERENCE_PATHS), "race_reference_time": seconds(slow),
+        "race_same_time_paths": counted(quick_paths), "race_same_time": seconds(quick_time),
         "race_same_time_error": percent(error_of(programs, quick, reference, own)),
-        "race_same_error_paths": f"{good_paths:,}", "race_same_error_time": seconds(good_time),
+        "race_same_error_paths": counted(good_paths), "race_same_error_time": seconds(good_time),
         "race_same_error": percent(error_of(programs, good, reference, own))})
     for file, target in ((mesh, "race-radiosity"), (quick, "race-paths-time"), (good, "race-paths-error"), (reference, "race-reference")):
         display(programs, file, f"{target}.png")
@@ -123,10 +135,46 @@ def race(programs, numbers):
 def meshes(programs, numbers):
     for name, size in (("coarse", 110), ("fine", 15)):
         file, said, _ = box(programs, name, "--patch-size", size, "--method", "links")
-        numbers[f"{name}_patches"] = f'{int(found(r": ([0-9]+) patches", said)):,}'
+        numbers[f"{name}_patches"] = counted(found(r": ([0-9]+) patches", said))
         display(programs, file, f"shadow-{name}.png")
     file, _, _ = box(programs, "mirror", "--error", "0.02", scene="resources/scenes/mirror.x3d")
     display(programs, file, "mirror.png")
+
+
+def extensions(programs, _):
+    run(programs, "demo-extensions", "--out", WORK / "extensions")
+    for name in ("hemisphere", "antialiasing", "mirror"):
+        shutil.copy(WORK / f"extensions/{name}.png", FIGURES / f"extension-{name}.png")
+
+
+def plan(programs, numbers):
+    """What each effect of some scenes is expected to cost."""
+    for scene in PLANNED:
+        said = json.loads(run(programs, "plan", f"resources/scenes/{scene}.x3d", "--json")[0])
+        for effect in said["effects"]:
+            numbers[f"plan_{scene}_{effect['name']}"] = seconds(effect["seconds"]) if effect["on"] else "off"
+        numbers[f"plan_{scene}_whole"] = seconds(sum(cost for name, cost in said["cost"].items() if name.endswith("Seconds")))
+
+
+def study(programs, numbers):
+    folder = WORK / "study"
+    run(programs, "study", BOX, "--quick", "--repeat", 3, "--fresh", "--out", folder)
+    for source, target in {"whole": "study", "whole_narrow": "study-narrow"}.items():
+        shutil.copy(folder / f"plot_cornell_2_{source}.svg", FIGURES / f"plot-{target}.svg")
+        clean(FIGURES / f"plot-{target}.svg")
+    with open(folder / "results.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    coarse, middle, fine = sorted({int(row["patches"]) for row in rows})
+
+    def error(patches, method=""):
+        return percent(min(float(row["whole_error"]) for row in rows if int(row["patches"]) == patches and method in row["method"]))
+    numbers.update({"study_coarse": counted(coarse), "study_middle": counted(middle), "study_fine": counted(fine),
+                    "study_formula": error(fine, "course formula"),
+                    "study_best_coarse": error(coarse), "study_best_middle": error(middle), "study_best_fine": error(fine)})
+
+
+def window(programs, _):
+    viewer.picture_of(programs / "view", ROOT / BOX, FIGURES / "viewer.png")
 
 
 def machine_free_numbers(programs, numbers):
@@ -136,7 +184,7 @@ def machine_free_numbers(programs, numbers):
 
 def curves(programs, numbers):
     run(programs, "handout-figures", "curves", "-o", WORK)
-    numbers.update(json.loads((WORK / "curves.json").read_text()))
+    numbers.update({name: counted(value) for name, value in json.loads((WORK / "curves.json").read_text()).items()})
 
 
 def pictures(programs, _):
@@ -148,13 +196,18 @@ def pictures(programs, _):
 def drawings(_programs, _numbers):
     diagrams.write_all()
     subprocess.run(["gnuplot", ROOT / "handout/plots.gp"], cwd=WORK, check=True)
-    for file in FIGURES.glob("plot-*.svg"):  # without gnuplot's version, and blanks at ends of lines
-        text = re.sub(r"[ \t]+$", "", file.read_text(), flags=re.MULTILINE)
-        file.write_text(re.sub(r"<desc>.*?</desc>\n?", "", text, flags=re.DOTALL))
+    for file in FIGURES.glob("plot-*.svg"):
+        clean(file)
 
 
-STEPS = {"numbers": machine_free_numbers, "curves": curves, "pictures": pictures, "demo": demo_pictures, "meshes": meshes,
-         "race": race, "drawings": drawings}
+def clean(file):
+    """A plot without gnuplot's version, and without blanks at ends of lines."""
+    text = re.sub(r"[ \t]+$", "", file.read_text(), flags=re.MULTILINE)
+    file.write_text(re.sub(r"<desc>.*?</desc>\n?", "", text, flags=re.DOTALL))
+
+
+STEPS = {"numbers": machine_free_numbers, "curves": curves, "pictures": pictures, "demo": demo_pictures, "extensions": extensions,
+         "meshes": meshes, "plan": plan, "study": study, "race": race, "viewer": window, "drawings": drawings}
 
 
 def main():
