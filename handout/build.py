@@ -54,10 +54,11 @@ def pandoc(text):
 
 
 def set_better(body):
-    """Equations with brackets of the line's height and functions without wide gaps; flags that do not break after a hyphen."""
+    """Equations with brackets of the line's height, functions without wide gaps, no full stop alone on the next line; flags in one piece."""
     body = re.sub(r'<mo stretchy="true"( form="p\w+fix")>([()])</mo>', r'<mo stretchy="false"\1>\2</mo>', body)
+    body = re.sub(r'(<math display="inline"(?:(?!</math>).)*</math>)([.,;:?!)]+)', r'<span class="whole">\1\2</span>', body, flags=re.DOTALL)
     body = re.sub(r"<mo>(cos|sin|max)</mo>", r'<mspace width="0.1em"/><mi>\1</mi><mspace width="0.15em"/>', body)
-    return re.sub(r"<code>([^<]*)</code>", lambda span: re.sub(r"(?<!\S)(--?[a-z][\w-]*)", r'<span class="flag">\1</span>', span.group(0)),
+    return re.sub(r"<code>([^<]*)</code>", lambda span: re.sub(r"(?<![^\s>])(--?[a-z][\w-]*)", r'<span class="whole">\1</span>', span.group(0)),
                   body)
 
 

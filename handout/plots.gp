@@ -19,7 +19,6 @@ plot "point.dat" using 1:2 with lines ls 2 title "centre to centre (calcAnalytic
 set output figures."plot-orders.svg"
 set xlabel "shots"
 set ylabel "unshot share of the light's power"
-set format y "%g"
 set key bottom left
 plot "orders.dat" using 1:4 with lines ls 3 title "drawn at random", \
      "" using 1:3 with lines ls 1 title "one after the other", \
