@@ -38,10 +38,10 @@ function viewpointsOf(file) {
     });
 }
 
-function measuresOf(geometries) {
+function measuresOf(meshes) {
     const found = { vertices: 0, triangles: 0, area: 0, colours: [], box: new THREE.Box3() };
     const corner = [0, 1, 2].map(() => new THREE.Vector3());
-    for (const { attributes: { position, color }, index } of geometries) {
+    for (const { geometry: { attributes: { position, color }, index }, opacity } of meshes) {
         assert.strictEqual(color.count, position.count, 'a colour for each vertex');
         found.vertices += position.count;
         found.triangles += index.count / 3;
@@ -50,7 +50,7 @@ function measuresOf(geometries) {
             corner.forEach((at, k) => at.fromBufferAttribute(position, index.getX(i + k)));
             found.area += new THREE.Triangle(...corner).getArea();
         }
-        for (let i = 0; i < position.count; ++i) found.colours.push([color.getX(i), color.getY(i), color.getZ(i)]);
+        for (let i = 0; i < position.count; ++i) found.colours.push([color.getX(i), color.getY(i), color.getZ(i)].map(c => opacity * c));
     }
     return found;
 }
@@ -96,7 +96,7 @@ async function holdGltf(file, patches) {
         assert.strictEqual(material.color.getHex(), 0xffffff, file + ': nothing multiplies the colours');
         assert.strictEqual(geometry.attributes._radiosity.count, geometry.attributes.position.count, file + ': radiosities');
     }
-    const found = measuresOf(meshes.map(mesh => mesh.geometry));
+    const found = measuresOf(meshes.map(({ geometry, material }) => ({ geometry, opacity: material.opacity })));
     holdAgainstTable(found, patches, file);
     holdCameras(cameras, viewpointsOf(sceneFile), file);
     return found;
@@ -104,14 +104,14 @@ async function holdGltf(file, patches) {
 
 function holdPly(file, patches) {
     const header = fs.readFileSync(file, 'latin1').split('end_header')[0];
-    const found = measuresOf([new THREE.PLYLoader().parse(bytesOf(file))]);
+    const found = measuresOf([{ geometry: new THREE.PLYLoader().parse(bytesOf(file)), opacity: 1 }]);
     holdAgainstTable(found, patches, file);
     assert.strictEqual(found.vertices, Number(header.match(/element vertex (\d+)/)[1]), file + ', vertices');
     assert.strictEqual(patches.length, Number(header.match(/element face (\d+)/)[1]), file + ', faces');
     return found;
 }
 
-// PLY has the colours as a display takes them, glTF linear ones.
+// PLY has the colours as a display takes them, glTF linear ones, which the opacity of the material multiplies.
 function holdColours(ply, gltf) {
     const encoded = light => light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
     gltf.colours.forEach((colour, i) => colour.forEach((light, c) => {

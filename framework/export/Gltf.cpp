@@ -42,9 +42,14 @@ ordered_json materialOf(const MeshPart& part, std::size_t index) {
 }
 
 ordered_json primitiveOf(const MeshPart& part, std::size_t material, GltfBuffer& buffer) {
+    const float opaque = 1.0f - part.material->transparency;
+    // Who draws a pane multiplies its colour with this share, which B has in it already.
+    const auto colorOf = [&](const MeshVertex& vertex) {
+        return opaque > 0.0f ? glm::min(vertex.color / opaque, 1.0f) : vertex.color;
+    };
     return {{"attributes",
              {{"POSITION", buffer.addVectors(part.vertices, &MeshVertex::position)},
-              {"COLOR_0", buffer.addVectors(part.vertices, &MeshVertex::color)},
+              {"COLOR_0", buffer.addVectors(part.vertices, colorOf)},
               {"_RADIOSITY", buffer.addVectors(part.vertices, &MeshVertex::radiosity)}}},
             {"indices", buffer.addTriangles(part)},
             {"material", material},

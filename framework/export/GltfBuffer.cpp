@@ -30,13 +30,15 @@ std::size_t GltfBuffer::add(std::size_t from, int target, nlohmann::ordered_json
     return accessors.size() - 1;
 }
 
-std::size_t GltfBuffer::addVectors(const std::vector<MeshVertex>& vertices, Vec3f MeshVertex::*member) {
+std::size_t GltfBuffer::addVectors(const std::vector<MeshVertex>& vertices,
+                                   const std::function<Vec3f(const MeshVertex&)>& vectorOf) {
     const std::size_t from = bytes.size();
-    Vec3f low = vertices.front().*member, high = low;
+    Vec3f low = vectorOf(vertices.front()), high = low;
     for (const MeshVertex& vertex : vertices) {
-        low = glm::min(low, vertex.*member);
-        high = glm::max(high, vertex.*member);
-        appendBytes(bytes, vertex.*member);
+        const Vec3f vector = vectorOf(vertex);
+        low = glm::min(low, vector);
+        high = glm::max(high, vector);
+        appendBytes(bytes, vector);
     }
     return add(from, vertexData,
                {{"componentType", floatNumber},

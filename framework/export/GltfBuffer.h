@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -13,10 +14,11 @@ struct GltfBuffer {
     std::string bytes;
     nlohmann::ordered_json views = nlohmann::ordered_json::array(), accessors = views;
 
-    /// Adds one of the vectors of each vertex.
+    /// Adds a vector of each vertex.
     ///
     /// @return the index of the accessor, which has the least and the greatest value
-    std::size_t addVectors(const std::vector<MeshVertex>& vertices, Vec3f MeshVertex::*member);
+    std::size_t addVectors(const std::vector<MeshVertex>& vertices,
+                           const std::function<Vec3f(const MeshVertex&)>& vectorOf);
 
     /// Adds the corners of the patches' triangles, in as few bytes as the number of vertices lets them have.
     ///

@@ -91,6 +91,30 @@ TEST_CASE("glTF: positions, colours, radiosities and triangles come back as they
     }
 }
 
+TEST_CASE("a pane, blended by the alpha of its material, has the colour that is displayed") {
+    const test::Folder folder;
+    Solved solved;
+    const auto pane = std::make_shared<Material>(*solved.mesh.parts[0].material);
+    solved.mesh.parts[0].material = pane;
+    for (const float transparency : {0.6f, 1.0f}) {
+        pane->transparency = transparency;
+        writeMesh(folder / "box.glb", solved.mesh);
+        const Glb glb(readFile(folder / "box.glb"));
+        CHECK(glb.json["materials"][0]["alphaMode"] == "BLEND");
+        const float alpha = glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][3];
+        CHECK(alpha == doctest::Approx(1.0f - transparency));
+        const std::size_t start = glb.start(glb.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"]);
+        for (std::size_t i = 0; i < solved.mesh.parts[0].vertices.size(); ++i) {
+            const Vec3f found = vectorAt(glb.buffer, start + 12 * i);
+            const Vec3f displayed = solved.mesh.parts[0].vertices[i].color;
+            for (int c = 0; c < 3; ++c) {
+                REQUIRE(found[c] <= 1.0f);
+                REQUIRE(alpha * found[c] == doctest::Approx(std::min(displayed[c], alpha)));
+            }
+        }
+    }
+}
+
 TEST_CASE("glTF as text holds the buffer of the binary form") {
     const test::Folder folder;
     const Solved solved;
