@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Draws the handout's diagrams as SVG: diagrams.py [--check]
 
-Colours are CSS variables with a fallback, so that the page's dark style reaches them once they stand in it.
+Colours are CSS variables with a fallback, so that the page's dark style reaches them once they stand in it; so is the size of letters, for
+phones.
 """
 import json
 import math
@@ -54,6 +55,8 @@ class Drawing:
 
     def text(self, at, words, size=17, anchor="middle", color=INK, italic=False):
         style = ' font-style="italic"' if italic else ""
+        if size > 12:  # the small ones fill cells
+            style += f' style="font-size: calc({size}px * var(--larger, 1))"'
         self.parts.append(f'<text x="{at[0]:.1f}" y="{at[1]:.1f}" font-size="{size}" text-anchor="{anchor}" '
                           f'fill="{color}"{style}>{words}</text>')
 
@@ -75,10 +78,10 @@ def balance():
     d.text((330, 232), "patch <tspan font-style='italic'>i</tspan>, reflectance <tspan font-style='italic'>ρ</tspan>")
     for x in (90, 140, 190):
         d.line((x, 60), (x + 105, 175), SOFT, 1.8, arrow=True)
-    d.text((75, 40), "arriving from all other patches", anchor="start", color=SOFT)
+    d.text((10, 40), "arriving from all other patches", anchor="start", color=SOFT)
     for x, y in ((310, 62), (355, 50), (400, 62)):
         d.line((345 + (x - 355) * 0.3, 170), (x, y), WARM, 1.8, arrow=True)
-    d.text((385, 40), "emitted and reflected: radiosity", anchor="start", color=WARM)
+    d.text((610, 40), "emitted and reflected: radiosity", anchor="end", color=WARM)
     d.line((345, 187), (345, 216), SOFT, 1.2, "4 3")
     d.text((460, 216), "the rest is absorbed", anchor="start", color=SOFT, size=15)
     return d
@@ -119,13 +122,13 @@ def additivity():
             d.polygon([(x + 115, 30), (x + 215, 30), (x + 245, 70), (x + 145, 70)], SECOND)
             d.line((x + 62, 165), (x + 178, 58), WARM, 1.6, arrow=True)
     d.text((320, 115), "=", 26)
-    d.text((178, 140), "F(<tspan font-style='italic'>s</tspan>→<tspan font-style='italic'>j</tspan>∪<tspan font-style='italic'>k</tspan>)")
-    d.text((525, 140), "F(<tspan font-style='italic'>s</tspan>→<tspan font-style='italic'>j</tspan>) + F(<tspan font-style='italic'>s</tspan>→<tspan font-style='italic'>k</tspan>)", 16)
+    d.text((205, 140), "F(<tspan font-style='italic'>s</tspan>→<tspan font-style='italic'>j</tspan>∪<tspan font-style='italic'>k</tspan>)")
+    d.text((545, 140), "F(<tspan font-style='italic'>s</tspan>→<tspan font-style='italic'>j</tspan>) + F(<tspan font-style='italic'>s</tspan>→<tspan font-style='italic'>k</tspan>)", 16)
     return d
 
 
 def subdivision():
-    d = Drawing(620, 260, "Two faces that meet at an edge, cut into patches")
+    d = Drawing(620, 268, "Two faces that meet at an edge, cut into patches")
     left = [[(60 + 55 * i + 12 * j, 60 + 55 * j - 4 * i) for i in range(4)] for j in range(4)]
     for j in range(3):
         for i in range(3):
@@ -143,9 +146,9 @@ def subdivision():
             d.dot(point, 4, WARM)
     d.text((125, 30), "one face, 9 patches, 16 vertices", 15)
     d.text((420, 30), "another face, its own 16 vertices", 15, color=WARM)
-    d.text((545, 140), "drawn apart:", 15, "start")
-    d.text((545, 160), "the edge is", 15, "start")
-    d.text((545, 180), "one place", 15, "start")
+    d.text((610, 140), "drawn apart:", 15, "end")
+    d.text((610, 160), "the edge is", 15, "end")
+    d.text((610, 180), "one place", 15, "end")
     return d
 
 
