@@ -107,7 +107,8 @@ case $claim in
         [ -x new/setup.sh ] && [ -x new/run_autograder ] && [ -x new/radlab/radlab ] || wrong "$(ls -l new)"
         has_none new '/(solutions|mutants|attacks|\.github)/' ;;
     "the autograder for Gradescope writes results for every submission, whatever it holds")
-        mkdir -p autograder/source/radlab/build/release/bin autograder/submission/exercises
+        mkdir -p autograder/source/radlab/build/release/bin autograder/source/radlab/exercises autograder/submission/exercises
+        cp -r "$project/exercises/extensions" autograder/source/radlab/exercises/
         cp "$project/packaging/run_autograder" autograder/source/
         ln -s "$program" autograder/source/radlab/build/release/bin/check
         # shellcheck disable=SC2016  # CMake's
@@ -129,6 +130,11 @@ folder"
         cp "$project/solutions/ProgRef.cpp" autograder/submission/exercises/
         autograde 100.0 '"status": "passed"'
         [ ! -e fooled ] || wrong "a name was run"
+        mkdir autograder/submission/exercises/extensions
+        cp "$project/solutions/ProgRef.cpp" autograder/submission/
+        cp "$project/solutions/extensions/Mirror.cpp" autograder/submission/
+        cp "$project/exercises/extensions/Hemisphere.cpp" autograder/submission/exercises/extensions/
+        autograde 100.0 'mirror'
         printf '#!/bin/sh\nexit 3\n' >broken
         chmod +x broken
         ln -sf "$work/broken" autograder/source/radlab/build/release/bin/check

@@ -20,7 +20,7 @@ namespace {
 struct Flags {
     std::string stage;
     std::string file = RADLAB_SOURCE_DIR "/exercises/ProgRef.cpp";
-    std::string extensions = RADLAB_SOURCE_DIR "/exercises/extensions";
+    std::string extensions;
     std::uint64_t seed = 1;
     unsigned jobs = 0;
     bool hint = false, html = false, open = false, watch = false;
@@ -32,7 +32,8 @@ void describe(CLI::App& app, Flags& flags) {
         "stage", flags.stage,
         "One stage only: its number or the name of its function; or an extension's; or extensions, for all of them");
     app.add_option("--file", flags.file, "The file to judge")->capture_default_str();
-    app.add_option("--extensions", flags.extensions, "The folder of the extensions' files")->capture_default_str();
+    app.add_option("--extensions", flags.extensions,
+                   "The folder of the extensions' files; without a stage, they are judged beside the six");
     app.add_flag("--hint", flags.hint, "Say more about where to look");
     app.add_flag("--watch", flags.watch, "Judge the first open stage whenever the file is saved");
     app.add_flag("--html", flags.html, "Write a page with the pictures: reference, yours, difference");
@@ -79,16 +80,29 @@ void expectText(const Flags& flags) {
     throw radlab::Error({flags.file}, "found no such file or an empty one, expected a C++ file with the six functions");
 }
 
+std::filesystem::path folderOfExtensions(const Flags& flags) {
+    return flags.extensions.empty() ? RADLAB_SOURCE_DIR "/exercises/extensions" : flags.extensions;
+}
+
+// Beside the six stages, where their folder was named.
+void addExtensions(const FileChecker& checker, const Flags& flags, Result& result) {
+    if (flags.extensions.empty() || !flags.stage.empty()) return;
+    result.extensions = checker.judgeExtensions(checker.manifest().extensions, flags.extensions).extensions;
+}
+
 int check(const FileChecker& checker, const std::vector<std::string>& stages, const Flags& flags) {
     StudentResult verdict;
     verdict.outcome = Outcome::graded;
     try {
         verdict.result = checker.judge(stages);
+        const int code = exitCode(verdict.result);
+        addExtensions(checker, flags, verdict.result);
         report(verdict, flags);
         std::cout << terminalReport(verdict.result, {.color = wantsColor(), .hints = flags.hint});
-        return exitCode(verdict.result);
+        return code;
     } catch (const CompileError& error) {
         verdict.result = checker.notCompiled(stages, shownError(error.what(), flags.file));
+        addExtensions(checker, flags, verdict.result);
         report(verdict, flags);
         std::cout << compileReport(error.what(), flags.file);
         return 2;
@@ -99,12 +113,13 @@ int check(const FileChecker& checker, const std::vector<std::string>& stages, co
 int checkExtensions(const FileChecker& checker, const std::vector<ManifestStage>& extensions, const Flags& flags) {
     StudentResult verdict;
     verdict.outcome = Outcome::graded;
-    verdict.result = checker.judgeExtensions(extensions, flags.extensions);
+    const std::filesystem::path folder = folderOfExtensions(flags);
+    verdict.result = checker.judgeExtensions(extensions, folder);
     report(verdict, flags);
     if (verdict.result.compiled || extensions.size() > 1)
         std::cout << terminalReport(verdict.result, {.color = wantsColor(), .hints = flags.hint});
     if (verdict.result.compiled) return exitCode(verdict.result);
-    std::cout << compileReport(verdict.result.compiler, flags.extensions);
+    std::cout << compileReport(verdict.result.compiler, folder);
     return 2;
 }
 
