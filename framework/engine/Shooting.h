@@ -43,7 +43,7 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
 /// Adds what each patch reflects of the ambient light: better to look at, and on average nearer to the solution, while much is
 /// unshot.
 ///
-/// @source [Cohen1988, section 3.3]
+/// @source [Cohen1988]
 void addAmbient(std::vector<Point>& radiosity, const Surfaces& surfaces, const Point& ambient);
 
 }  // namespace radlab::engine
