@@ -43,6 +43,13 @@ function(radlab_reuse_headers name from)
   endif()
 endfunction()
 
+# Compiles a target's files eight at a time, so that names in their anonymous namespaces must differ. Files with options of their own
+# stay alone.
+function(radlab_unify name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${RADLAB_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
+# With APART, its files are compiled one by one: programs link some of them alone, as those that draw nothing do.
 function(radlab_library folder)
   if(NOT IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
     return()  # not in the package that students get
@@ -55,6 +62,9 @@ function(radlab_library folder)
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC radlab_options radlab_glm ${lower})
   radlab_reuse_headers(${name} radlab_precompiled)
+  if(NOT "APART" IN_LIST ARGN)
+    radlab_unify(${name})
+  endif()
 endfunction()
 
 # A submission: one file with the six functions, or those of the extensions, compiled as they stand, warnings included.
@@ -86,6 +96,7 @@ function(radlab_tests name folder)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE radlab_test_main ${ARGN})
   radlab_reuse_headers(${name} radlab_precompiled_tests)
+  radlab_unify(${name})
   doctest_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: ")
 endfunction()
 
@@ -98,6 +109,7 @@ function(radlab_program name source)
   add_executable(${name} ${PROJECT_SOURCE_DIR}/${source}.cpp)
   target_link_libraries(${name} PRIVATE CLI11::CLI11 ${ARGN})
   radlab_reuse_headers(${name} radlab_precompiled)
+  radlab_unify(${name})
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     # CLI11 is all headers: half of the time that a program takes to compile goes into making its flags fast.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/${source}.cpp PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O1>")

@@ -9,6 +9,8 @@ function(radlab_test_files name files)
   list(TRANSFORM files PREPEND ${PROJECT_SOURCE_DIR}/)
   add_executable(${name} ${files})
   target_link_libraries(${name} PRIVATE radlab_test_main ${ARGN})
+  radlab_reuse_headers(${name} radlab_precompiled_tests)
+  radlab_unify(${name})
   doctest_discover_tests(${name} TEST_PREFIX "${name}: ")
 endfunction()
 

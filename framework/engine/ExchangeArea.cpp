@@ -179,14 +179,14 @@ double exchangeArea(const Polygon& a, const Polygon& b, double tolerance) {
     return std::max(between(inFrontA, inFrontB, ordersWithin(tolerance)), 0.0);
 }
 
-NodeTable::NodeTable(const std::vector<Polygon>& polygons, int order) : first(polygons.size() + 1) {
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-        counts.push_back(countOf(polygons[i], order));
+NodeTable::NodeTable(const std::vector<Polygon>& list, int order) : first(list.size() + 1) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        counts.push_back(countOf(list[i], order));
         first[i + 1] = first[i] + 4 * paddedTo(lanes, counts[i]);
     }
     numbers.resize(first.back());
-    tbb::parallel_for(std::size_t{0}, polygons.size(), [&](std::size_t i) {
-        if (counts[i] > 0) fill(gaussNodes(polygons[i], order), numbers.data() + first[i]);
+    tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
+        if (counts[i] > 0) fill(gaussNodes(list[i], order), numbers.data() + first[i]);
     });
 }
 

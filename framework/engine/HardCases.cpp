@@ -183,7 +183,7 @@ std::vector<HardCase> occluded() {
                 "closed form of both halves")};
 }
 
-std::vector<HardCase> table() {
+std::vector<HardCase> caseTable() {
     std::vector<HardCase> all;
     for (const std::vector<HardCase>& some : {wedges(), nearAndFar(), unequal(), nothing(), cutAndMoved(), occluded()})
         all.insert(all.end(), some.begin(), some.end());
@@ -193,7 +193,7 @@ std::vector<HardCase> table() {
 }  // namespace
 
 const std::vector<HardCase>& hardCases() {
-    static const std::vector<HardCase> cases = table();
+    static const std::vector<HardCase> cases = caseTable();
     return cases;
 }
 

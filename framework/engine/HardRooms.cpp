@@ -237,7 +237,7 @@ HardRoom oneAmongMany() {
     return made;
 }
 
-std::vector<HardRoom> table() {
+std::vector<HardRoom> roomTable() {
     std::vector<HardRoom> all;
     for (const std::vector<HardRoom>& some : {furnaces(),
                                               scaled(),
@@ -252,7 +252,7 @@ std::vector<HardRoom> table() {
 }  // namespace
 
 const std::vector<HardRoom>& hardRooms() {
-    static const std::vector<HardRoom> rooms = table();
+    static const std::vector<HardRoom> rooms = roomTable();
     return rooms;
 }
 

@@ -76,10 +76,10 @@ Hemicubes::Deltas::Deltas(int size, double (*density)(double x, double y))
     }
 }
 
-Hemicubes::Hemicubes(const std::vector<Polygon>& polygons, int wanted, Simd simd)
-    : patches(polygons),
+Hemicubes::Hemicubes(const std::vector<Polygon>& list, int wanted, Simd simd)
+    : patches(list),
       size(checkedSize(wanted)),
-      raster(polygons, simd),
+      raster(list, simd),
       top(size, topDensity),
       side(size, sideDensity),
       scale(1.0 / (2.0 * top.sum + 4.0 * side.sum)) {}

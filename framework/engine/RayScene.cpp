@@ -123,12 +123,12 @@ struct RayScene::Tree {
     }
 };
 
-RayScene::RayScene(const std::vector<Polygon>& polygons) : tree(std::make_unique<Tree>()) {
+RayScene::RayScene(const std::vector<Polygon>& list) : tree(std::make_unique<Tree>()) {
     std::vector<Triangle> triangles;
     Point low(0.0), high(0.0);
-    for (const Polygon& polygon : polygons) planes.push_back({polygon.center, polygon.normal});
-    for (std::size_t i = 0; i < polygons.size(); ++i)
-        for (const Triangle& triangle : trianglesOf(polygons[i])) {
+    for (const Polygon& polygon : list) planes.push_back({polygon.center, polygon.normal});
+    for (std::size_t i = 0; i < list.size(); ++i)
+        for (const Triangle& triangle : trianglesOf(list[i])) {
             for (const Point& point : triangle) {
                 low = triangles.empty() ? point : glm::min(low, point);
                 high = triangles.empty() ? point : glm::max(high, point);

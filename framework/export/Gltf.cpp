@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json jsonOf(const Vec3f& v) { return {v.x, v.y, v.z}; }
-
 // White, as glTF multiplies it with the colours of the vertices, which have ρ in them.
 ordered_json materialOf(const MeshPart& part, std::size_t index) {
     const Material& material = *part.material;

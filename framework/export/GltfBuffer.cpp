@@ -11,8 +11,6 @@ constexpr int unsignedShort = 5123, unsignedInt = 5125, floatNumber = 5126;
 constexpr int vertexData = 34962, indexData = 34963;
 constexpr std::size_t mostForShorts = 65535;  // the greatest index is not allowed
 
-nlohmann::ordered_json jsonOf(const Vec3f& v) { return {v.x, v.y, v.z}; }
-
 template <class Visit>
 void forTriangles(const MeshPart& part, const Visit& visit) {
     for (const MeshPatch& patch : part.patches)
@@ -21,6 +19,8 @@ void forTriangles(const MeshPart& part, const Visit& visit) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json jsonOf(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
 std::size_t GltfBuffer::add(std::size_t from, int target, nlohmann::ordered_json accessor) {
     views.push_back({{"buffer", 0}, {"byteOffset", from}, {"byteLength", bytes.size() - from}, {"target", target}});

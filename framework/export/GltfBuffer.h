@@ -9,6 +9,9 @@
 
 namespace radlab {
 
+/// A vector as glTF writes it.
+nlohmann::ordered_json jsonOf(const Vec3f& v);
+
 /// The numbers of a glTF file, and the JSON that says where each kind of them lies.
 struct GltfBuffer {
     std::string bytes;

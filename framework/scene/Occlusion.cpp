@@ -19,7 +19,7 @@ struct Corner {
     const Face* face;  // one that has it
 };
 
-struct Box {
+struct Bounds {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -98,8 +98,8 @@ private:
     }
 
     std::vector<Corner> corners;
-    std::vector<Box> boxes;
-    Box whole;
+    std::vector<Bounds> boxes;
+    Bounds whole;
 };
 
 /// The plane of a face through the mean of its corners; nothing for a face without area, which hides nothing.

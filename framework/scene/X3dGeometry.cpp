@@ -8,12 +8,12 @@ namespace radlab {
 
 namespace {
 
-using Corners = std::vector<int>;
+using FaceCorners = std::vector<int>;
 
 /// An index list cut into faces at every -1; the last one may be missing.
-std::vector<Corners> cutAtSeparators(const std::vector<int>& indices) {
-    std::vector<Corners> faces;
-    Corners face;
+std::vector<FaceCorners> cutAtSeparators(const std::vector<int>& indices) {
+    std::vector<FaceCorners> faces;
+    FaceCorners face;
     for (int index : indices) {
         if (index == -1)
             faces.push_back(std::exchange(face, {}));
@@ -24,23 +24,23 @@ std::vector<Corners> cutAtSeparators(const std::vector<int>& indices) {
     return faces;
 }
 
-std::vector<Corners> cutEvery(const X3dNode& node, const std::vector<int>& indices, std::size_t count) {
+std::vector<FaceCorners> cutEvery(const X3dNode& node, const std::vector<int>& indices, std::size_t count) {
     if (indices.size() % count != 0)
         node.fail("index has " + std::to_string(indices.size()) + " entries, expected a multiple of " +
                   std::to_string(count));
-    std::vector<Corners> faces;
+    std::vector<FaceCorners> faces;
     for (auto at = indices.begin(); at != indices.end(); at += static_cast<std::ptrdiff_t>(count))
         faces.emplace_back(at, at + static_cast<std::ptrdiff_t>(count));
     return faces;
 }
 
-std::vector<Corners> readFaces(const X3dNode& node) {
+std::vector<FaceCorners> readFaces(const X3dNode& node) {
     if (node.name() == "IndexedTriangleSet") return cutEvery(node, node.wholes("index"), 3);
     if (node.name() == "IndexedQuadSet") return cutEvery(node, node.wholes("index"), 4);
     return cutAtSeparators(node.wholes("coordIndex"));
 }
 
-void checkFace(const X3dNode& node, const Corners& face, std::size_t number, std::size_t points) {
+void checkFace(const X3dNode& node, const FaceCorners& face, std::size_t number, std::size_t points) {
     const std::string which = "face " + std::to_string(number) + " (counted from 1)";
     for (int index : face) {
         if (index >= 0 && static_cast<std::size_t>(index) < points) continue;
@@ -53,7 +53,7 @@ void checkFace(const X3dNode& node, const Corners& face, std::size_t number, std
         node.fail(which + " has too few corners, found " + std::to_string(face.size()) + ", expected at least 3");
 }
 
-void mergeRepeatedCorners(Corners& face) {
+void mergeRepeatedCorners(FaceCorners& face) {
     face.erase(std::unique(face.begin(), face.end()), face.end());
     while (face.size() > 1 && face.front() == face.back()) face.pop_back();
 }
@@ -80,7 +80,7 @@ X3dGeometry readGeometry(const X3dNode& node, std::shared_ptr<const X3dPoints> p
     X3dGeometry geometry{std::move(points), {}, 0, 0, !node.flag("solid", true), creaseAngle(node), node.where()};
     const bool clockwise = !node.flag("ccw", true);
     std::size_t number = 0;
-    for (Corners& face : readFaces(node)) {
+    for (FaceCorners& face : readFaces(node)) {
         checkFace(node, face, ++number, geometry.points->size());
         mergeRepeatedCorners(face);
         if (face.size() < 3) {

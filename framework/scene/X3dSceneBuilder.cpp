@@ -12,7 +12,7 @@ namespace radlab {
 
 namespace {
 
-constexpr int deepest = 200;
+constexpr int deepestUse = 200;
 
 bool isWalked(std::string_view name) { return kindOf(name) != X3dKind::other && kindOf(name) != X3dKind::silent; }
 
@@ -51,8 +51,8 @@ void X3dSceneBuilder::eachChild(const X3dNode& node, Visit visit) {
 }
 
 void X3dSceneBuilder::addGroup(const X3dNode& group, const Placement& outer, int depth) {
-    if (depth > deepest)
-        group.fail("groups are nested too deeply by USE, expected at most " + std::to_string(deepest) + " levels");
+    if (depth > deepestUse)
+        group.fail("groups are nested too deeply by USE, expected at most " + std::to_string(deepestUse) + " levels");
     const Placement placement = outer * placementOf(group);
     eachChild(group, [&](const X3dNode& child) { addNode(child, placement, depth); });
 }

@@ -6,7 +6,7 @@ namespace radlab {
 
 namespace {
 
-constexpr int deepest = 200;
+constexpr int deepestNode = 200;
 
 std::string shortName(std::string_view name) {
     const std::string whole = inQuotes(name);
@@ -58,8 +58,8 @@ X3dNode X3dSurvey::resolve(const X3dNode& node) const {
 }
 
 void X3dSurvey::visit(const X3dNode& node, X3dKind kind, bool isRead, int depth) {
-    if (depth > deepest)
-        node.fail("nodes are nested too deeply, expected at most " + std::to_string(deepest) + " levels");
+    if (depth > deepestNode)
+        node.fail("nodes are nested too deeply, expected at most " + std::to_string(deepestNode) + " levels");
     noteName(node, isRead);
     noteFields(node, isRead);
     node.eachChild([&](const X3dNode& child) { visitChild(child, kind, isRead, depth + 1); });

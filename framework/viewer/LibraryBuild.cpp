@@ -19,15 +19,15 @@ namespace {
 
 constexpr std::size_t mostLines = 8, mostText = 2000;
 
-struct Ended {
+struct ShellEnd {
     int status;
     std::string output;
 };
 
-Ended runShell(const std::string& command) {
+ShellEnd runShell(const std::string& command) {
     FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     if (!pipe) return {-1, "the build could not be started: " + command};
-    Ended ended{0, ""};
+    ShellEnd ended{0, ""};
     std::array<char, 4096> part;
     while (const std::size_t got = std::fread(part.data(), 1, part.size(), pipe)) ended.output.append(part.data(), got);
     ended.status = pclose(pipe);
@@ -49,7 +49,7 @@ std::string without(std::string text, const std::string& part) {
 }
 
 LibraryOutcome build(const LibraryRecipe& recipe, const std::filesystem::path& copy) {
-    const Ended ended = runShell("cmake --build " + quoted(recipe.folder.string()) + " --target " + recipe.target);
+    const ShellEnd ended = runShell("cmake --build " + quoted(recipe.folder.string()) + " --target " + recipe.target);
     if (ended.status != 0) return {{}, firstErrorIn(ended.output, RADLAB_SOURCE_DIR "/"), ""};
     std::error_code failure;
     std::filesystem::copy_file(recipe.library, copy, std::filesystem::copy_options::overwrite_existing, failure);

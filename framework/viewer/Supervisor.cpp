@@ -87,13 +87,13 @@ pid_t started(SharedView& shared, const Restart& restart,
     std::exit(viewer(shared, restart));  // with its leak check, where there is one
 }
 
-struct Ended {
+struct ViewerEnd {
     int status = 0;
     bool hung = false;
 };
 
-Ended watched(pid_t child, SharedView& shared, double hangSeconds) {
-    Ended ended;
+ViewerEnd watched(pid_t child, SharedView& shared, double hangSeconds) {
+    ViewerEnd ended;
     for (;;) {
         const pid_t got = waitpid(child, &ended.status, WNOHANG);
         if (got == child || (got < 0 && errno != EINTR)) return ended;
@@ -105,7 +105,7 @@ Ended watched(pid_t child, SharedView& shared, double hangSeconds) {
     }
 }
 
-std::string howOf(const Ended& ended, double hangSeconds) {
+std::string howOf(const ViewerEnd& ended, double hangSeconds) {
     if (ended.hung) {
         std::string text = "ran for more than ";
         appendNumber(text, hangSeconds, 4);
@@ -135,7 +135,7 @@ int supervise(double hangSeconds, const std::function<int(SharedView&, const Res
         shared->running.what = 0;
         const pid_t child = started(*shared, restart, viewer);
         childToEnd = static_cast<std::sig_atomic_t>(child);
-        const Ended ended = watched(child, *shared, hangSeconds);
+        const ViewerEnd ended = watched(child, *shared, hangSeconds);
         childToEnd = 0;
         if (askedToEnd(ended.status)) return 128 + WTERMSIG(ended.status);
         const Running at = shared->running.running();

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isPassedOver(const std::string& name) {
+bool isNoSubmission(const std::string& name) {
     const auto names = {"__MACOSX", "Thumbs.db", "desktop.ini", "index.html"};
     return name.front() == '.' || std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -27,7 +27,7 @@ bool isPassedOver(const std::string& name) {
 std::vector<FolderEntry> studentsEntries(const fs::path& folder) {
     try {
         auto entries = entriesOf(openPlace(folder.string()), SIZE_MAX);
-        std::erase_if(*entries, [](const FolderEntry& entry) { return isPassedOver(entry.name); });
+        std::erase_if(*entries, [](const FolderEntry& entry) { return isNoSubmission(entry.name); });
         return std::move(*entries);
     } catch (const NotTaken& reason) {
         throw Error({folder.string()}, reason.what());

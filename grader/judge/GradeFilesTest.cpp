@@ -19,13 +19,13 @@ Graded gradedText(const std::string& text, PngCache& pictures, Toolchain toolcha
     return gradeFiles({{"ProgRef.cpp", text}}, "ProgRef.cpp", judge, pictures);
 }
 
-const std::string solution = readFile(RADLAB_SOURCE_DIR "/solutions/ProgRef.cpp");
+const std::string rightText = readFile(RADLAB_SOURCE_DIR "/solutions/ProgRef.cpp");
 
 }  // namespace
 
 TEST_CASE("what compiles is graded, and its pictures come as PNG beside it") {
     PngCache pictures;
-    const Graded graded = gradedText(solution, pictures);
+    const Graded graded = gradedText(rightText, pictures);
     CHECK(graded.result.compiled);
     CHECK(graded.result.submission == "ProgRef.cpp");
     CHECK(graded.result.score == 10.0);
@@ -72,7 +72,7 @@ TEST_CASE("of several files the first is compiled, and finds those that the mani
     Judge judge(manifest, readToolchain(RADLAB_TOOLCHAIN), options);
     PngCache pictures;
     const auto graded = [&](const std::string& helper, const std::string& header) {
-        return gradeFiles({{"Main.cpp", "#include \"" + header + "\"\n" + solution}, {header, helper}}, "Main.cpp",
+        return gradeFiles({{"Main.cpp", "#include \"" + header + "\"\n" + rightText}, {header, helper}}, "Main.cpp",
                           judge, pictures);
     };
     CHECK(graded("constexpr int five = 5;\n", "Helper.h").result.score == 10.0);
@@ -86,7 +86,7 @@ TEST_CASE("where the grader is at fault there is no mark") {
     Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
     toolchain.worker = "/bin/false";
     PngCache pictures;
-    CHECK_THROWS_AS(gradedText(solution, pictures, toolchain), MachineError);
+    CHECK_THROWS_AS(gradedText(rightText, pictures, toolchain), MachineError);
 }
 
 TEST_CASE("names with folders are never written") {
@@ -115,7 +115,7 @@ TEST_CASE("the references are encoded before they are needed") {
     encodeReferences(readManifest(manifestFile()), pictures);
     const std::size_t before = pictures.encoded();
     CHECK(before > 5);
-    gradedText(solution, pictures);
+    gradedText(rightText, pictures);
     CHECK(pictures.encoded() <= before + 1);  // the difference, and what is drawn is the reference
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t deepest = 16;  // levels of its CBOR, with some to spare
+constexpr std::size_t deepestVerdict = 16;  // levels of its CBOR, with some to spare
 
 Json toJson(const CheckPicture& picture) {
     Json images = Json::array();
@@ -55,7 +55,7 @@ std::string toCbor(const Graded& graded) {
 
 Graded gradedFromCbor(std::string_view bytes) {
     try {
-        const Json json = cborWithin(bytes, deepest);
+        const Json json = cborWithin(bytes, deepestVerdict);
         Graded graded;
         graded.result = resultFromJson(json.at("result"));
         for (const Json& picture : json.at("pictures")) graded.pictures.push_back(pictureFrom(picture));

@@ -9,7 +9,7 @@ using namespace radlab::grader;
 
 namespace {
 
-Graded sample() {
+Graded sampleVerdict() {
     Graded graded;
     graded.result.submission = "ProgRef.cpp";
     graded.result.score = 7.5;
@@ -22,7 +22,7 @@ Graded sample() {
 }  // namespace
 
 TEST_CASE("what grading gave comes back whole, bytes of pictures included") {
-    const Graded back = gradedFromCbor(toCbor(sample()));
+    const Graded back = gradedFromCbor(toCbor(sampleVerdict()));
     CHECK(back.result.score == 7.5);
     CHECK(back.result.compiler == "ProgRef.cpp:3: warning: \xef\xbf\xbd\n");
     CHECK_FALSE(back.result.compiled);
@@ -34,7 +34,7 @@ TEST_CASE("what grading gave comes back whole, bytes of pictures included") {
 }
 
 TEST_CASE("bytes that are cut off or something else are an error") {
-    const std::string bytes = toCbor(sample());
+    const std::string bytes = toCbor(sampleVerdict());
     for (const std::size_t length : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
         CHECK_THROWS_AS(gradedFromCbor(std::string_view(bytes).substr(0, length)), Error);
     CHECK_THROWS_AS(gradedFromCbor("\xa0"), Error);

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t deepest = 8;  // of a message: levels of its CBOR, with some to spare
+constexpr std::size_t deepestMessage = 8;  // of a message: levels of its CBOR, with some to spare
 
 // A member of MyPolygon or MyVertex, which travels as one packed array over all patches or vertices.
 struct Member {
@@ -236,7 +236,7 @@ std::string requestToCbor(std::uint64_t nonce, const std::vector<Step>& steps) {
 
 Request requestFromCbor(std::string_view bytes) {
     try {
-        const Json json = cborWithin(bytes, deepest);
+        const Json json = cborWithin(bytes, deepestMessage);
         Request request;
         json.at("nonce").get_to(request.nonce);
         for (const Json& step : json.at("steps")) request.steps.push_back(stepFromJson(step));
@@ -272,7 +272,7 @@ std::vector<StepAnswer> answersFromRecords(std::string_view bytes, std::uint64_t
         bytes.remove_prefix(sizeof length);
         if (length > bytes.size()) break;
         try {
-            const Json json = cborWithin(bytes.substr(0, length), deepest);
+            const Json json = cborWithin(bytes.substr(0, length), deepestMessage);
             if (json.at("nonce").get<std::uint64_t>() != nonce || json.at("step").get<std::size_t>() != i) break;
             const Step& step = steps[i];
             answers.push_back(answerFromJson(json, step, step.state ? *step.state : *before));

@@ -29,7 +29,7 @@ CheckResult failingCheck() {
     return check;
 }
 
-Result sample() {
+Result sampleResult() {
     Result result;
     result.submission = "exercises/ProgRef.cpp";
     result.score = 75;
@@ -53,7 +53,7 @@ std::string readError(const json& file) {
 }
 
 std::string errorAfter(const std::function<void(json&)>& change) {
-    json file = resultToJson(sample());
+    json file = resultToJson(sampleResult());
     change(file);
     return readError(file);
 }
@@ -84,7 +84,7 @@ TEST_CASE("extensions stand apart from the stages, and a result without any has 
 }
 
 TEST_CASE("result file: has the fields of the schema radlab/result/1") {
-    const json file = resultToJson(sample());
+    const json file = resultToJson(sampleResult());
     CHECK(file["schema"] == "radlab/result/1");
     CHECK(file["submission"] == "exercises/ProgRef.cpp");
     CHECK(file["score"] == 75);
@@ -106,7 +106,7 @@ TEST_CASE("result file: has the fields of the schema radlab/result/1") {
 }
 
 TEST_CASE("result file: whole marks are written without a fraction, and what is empty is left out") {
-    const json file = resultToJson(sample());
+    const json file = resultToJson(sampleResult());
     CHECK(file["score"].dump() == "75");
     CHECK(file["stages"][0]["checks"][0]["score"].dump() == "1.5");
     const json& empty = file["stages"][0]["checks"][1];
@@ -117,7 +117,7 @@ TEST_CASE("result file: whole marks are written without a fraction, and what is 
 }
 
 TEST_CASE("result file: what is written is read back") {
-    const json file = resultToJson(sample());
+    const json file = resultToJson(sampleResult());
     const Result read = resultFromJson(json::parse(file.dump()));
     CHECK(resultToJson(read) == file);
     CHECK(read.seed == 18446744073709551615u);
@@ -132,7 +132,7 @@ TEST_CASE("result file: every status has a text of its own that is read back") {
     for (Status status :
          {Status::pass, Status::fail, Status::error, Status::notStarted, Status::blocked, Status::skipped}) {
         CAPTURE(statusText(status));
-        Result result = sample();
+        Result result = sampleResult();
         result.stages[0].status = status;
         CHECK(resultFromJson(resultToJson(result)).stages[0].status == status);
     }
@@ -140,7 +140,7 @@ TEST_CASE("result file: every status has a text of its own that is read back") {
 }
 
 TEST_CASE("result file: bytes that are not UTF-8 are replaced wherever they stand") {
-    Result result = sample();
+    Result result = sampleResult();
     const std::string bytes = "\xff\xfe\xc0 a";
     result.submission = result.protections[0] = result.stages[0].title = bytes;
     CheckResult& check = result.stages[0].checks[0];

@@ -65,13 +65,13 @@ std::vector<std::string> shownRows(const std::string& dump) {
     return rows;
 }
 
-ClassInfo info() { return {"Radiosity", "", "", {}, {}}; }
+ClassInfo untitledInfo() { return {"Radiosity", "", "", {}, {}}; }
 
 }  // namespace
 
 TEST_CASE("browser: the class page sorts and filters by its address, whatever students are called") {
     Browser browser;
-    const std::string page = classPage(info(), classSaying(attack + hostileText()));
+    const std::string page = classPage(untitledInfo(), classSaying(attack + hostileText()));
     const std::string dump = browser.load(page, "#sort=total&status=graded");
     if (dump.empty()) return;
     CHECK(shownRows(dump) == std::vector<std::string>{"02", "01"});
@@ -86,7 +86,7 @@ TEST_CASE("browser: the class page sorts and filters by its address, whatever st
 
 TEST_CASE("browser: a search finds names and mistakes") {
     Browser browser;
-    const std::string dump = browser.load(classPage(info(), smallClass()), "#q=Missing-inverse%20STUDENT");
+    const std::string dump = browser.load(classPage(untitledInfo(), smallClass()), "#q=Missing-inverse%20STUDENT");
     if (dump.empty()) return;
     CHECK(shownRows(dump) == std::vector<std::string>{"02"});
     CHECK_FALSE(contains(browser.log(), "Uncaught"));
@@ -95,7 +95,7 @@ TEST_CASE("browser: a search finds names and mistakes") {
 TEST_CASE("browser: an address with markup in it, or of nothing that there is, does no harm") {
     Browser browser;
     const std::string view = "#q=%3Cimg%20src%3Dx%20onerror%3Ddocument.title%3D1%3E&sort=%22&down=1&status=x";
-    const std::string dump = browser.load(classPage(info(), smallClass()), view);
+    const std::string dump = browser.load(classPage(untitledInfo(), smallClass()), view);
     if (dump.empty()) return;
     CHECK(shownRows(dump).empty());
     CHECK(contains(dump, "<title>radlab: Radiosity</title>"));
@@ -105,7 +105,7 @@ TEST_CASE("browser: an address with markup in it, or of nothing that there is, d
 
 TEST_CASE("browser: a page into which a script got all the same does not run it") {
     Browser browser;
-    std::string page = classPage(info(), smallClass());
+    std::string page = classPage(untitledInfo(), smallClass());
     page.insert(page.find("</main>"), attack);
     const std::string dump = browser.load(page);
     if (dump.empty()) return;

@@ -10,8 +10,6 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr const char* byteOrderMark = "\xef\xbb\xbf";
-
 // The functions' names in the order of the exercise.
 std::vector<std::string> stagesOf(const std::vector<StudentResult>& results) {
     std::map<int, std::string> names;
@@ -59,7 +57,7 @@ std::string titles(const std::vector<std::string>& stages) {
 
 std::string marksCsv(const std::vector<StudentResult>& results) {
     const std::vector<std::string> stages = stagesOf(results);
-    std::string text = byteOrderMark + titles(stages);
+    std::string text = std::string(byteOrderMark) + titles(stages);
     for (const StudentResult& student : results) {
         const Student& who = student.student;
         std::vector<std::string> row = {spreadsheetText(who.id),        spreadsheetText(who.name),
@@ -74,7 +72,8 @@ std::string marksCsv(const std::vector<StudentResult>& results) {
 }
 
 std::string checksCsv(const std::vector<StudentResult>& results) {
-    std::string text = byteOrderMark + csvRow({"id", "stage", "check", "status", "marks", "max_marks", "mistake"});
+    std::string text =
+        std::string(byteOrderMark) + csvRow({"id", "stage", "check", "status", "marks", "max_marks", "mistake"});
     for (const StudentResult& student : results) {
         if (!hasMark(student)) continue;
         for (const StageResult& stage : student.result.stages)

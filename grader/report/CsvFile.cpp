@@ -10,8 +10,6 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
-
 // How often a delimiter stands in the first line, outside quotes.
 std::ptrdiff_t splitsOf(std::string_view text, char delimiter) {
     bool quoted = false;

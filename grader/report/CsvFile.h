@@ -8,6 +8,9 @@
 
 namespace radlab::grader {
 
+/// What spreadsheets take as the sign of UTF-8 at the begin of a file.
+inline constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+
 /// A CSV file of which some cells are changed and every other byte stays as it was.
 ///
 /// Delimiter (comma, semicolon or tab, whichever splits the first line into more cells), quoting, ends of lines, empty

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t mostBytes = std::size_t{1} << 20;  // of the file
-constexpr std::size_t longestText = 16384;               // bytes of one text, fewer where that makes too long a file
+constexpr std::size_t longestOutput = 16384;             // bytes of one text, fewer where that makes too long a file
 constexpr std::size_t shortestText = 64;
 
 // Texts are cut to the same length throughout.
@@ -107,7 +107,7 @@ private:
 
 std::string gradescopeJson(const StudentResult& student) {
     std::string text;
-    for (std::size_t longest = longestText; longest >= shortestText; longest /= 2) {
+    for (std::size_t longest = longestOutput; longest >= shortestText; longest /= 2) {
         text = Results(longest).file(student).dump(1, ' ', false, Json::error_handler_t::replace);
         if (text.size() < mostBytes) break;
     }

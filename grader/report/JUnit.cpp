@@ -12,7 +12,7 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr std::size_t longestText = 65536;      // bytes of one text
+constexpr std::size_t longestInXml = 65536;     // bytes of one text
 constexpr std::size_t longestAttribute = 1024;  // bytes; the text of the element says it in full
 
 struct Counts {
@@ -113,7 +113,7 @@ public:
         std::snprintf(text, sizeof text, "%.3f", value);
         printer.PushAttribute("time", text);
     }
-    void text(const std::string& bytes) { printer.PushText(xmlText(startOf(bytes, longestText)).c_str()); }
+    void text(const std::string& bytes) { printer.PushText(xmlText(startOf(bytes, longestInXml)).c_str()); }
     void counts(const Counts& counts) {
         attribute("tests", counts.tests);
         attribute("failures", counts.failures);

@@ -14,7 +14,7 @@ namespace {
 using kainjow::mustache::data;
 
 constexpr const char* folder = "resources/grader/";
-constexpr std::size_t longestText = 65536;  // bytes of one text; a browser wants no page of many megabytes
+constexpr std::size_t longestOnPage = 65536;  // bytes of one text; a browser wants no page of many megabytes
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::string renderPage(const std::string& name, data& values) {
 }
 
 std::string shown(const std::string& bytes) {
-    const std::string_view start = startOf(bytes, longestText);
+    const std::string_view start = startOf(bytes, longestOnPage);
     const std::size_t left = bytes.size() - start.size();
     return visibleText(start) + (left > 0 ? "\n… and " + std::to_string(left) + " bytes more" : "");
 }

@@ -15,9 +15,9 @@ using Lines = std::vector<std::string>;
 
 constexpr int reportColumns = 100;
 constexpr std::size_t reportLines = 25;
-constexpr std::size_t linesOfDetail = 60;    // for each stage, where all are explained
-constexpr std::size_t longestText = 16384;   // bytes that are worth wrapping
-constexpr std::size_t longestOutput = 2048;  // bytes of what a submission printed
+constexpr std::size_t linesOfDetail = 60;      // for each stage, where all are explained
+constexpr std::size_t longestWrapped = 16384;  // bytes that are worth wrapping
+constexpr std::size_t longestOutput = 2048;    // bytes of what a submission printed
 constexpr int longestName = 28;
 constexpr const char* indent = "      ";
 constexpr int indentColumns = 6;
@@ -44,7 +44,7 @@ std::string paddedLeft(const std::string& text, int columns) {
     return std::string(std::max(columns - columnsOf(text), 0), ' ') + text;
 }
 
-std::string safe(const std::string& bytes) { return visibleText(startOf(bytes, longestText)); }
+std::string safe(const std::string& bytes) { return visibleText(startOf(bytes, longestWrapped)); }
 
 std::string marksOf(const StageResult& stage) {
     return stage.maxScore > 0.0 ? marksText(stage.score) + "/" + marksText(stage.maxScore) : "";
@@ -61,7 +61,7 @@ std::vector<const StageResult*> shownStages(const Result& result) {
 std::string reasonOf(const StageResult& stage) {
     if (hasError(stage)) return ", no marks taken";
     const CheckResult* blocked = stage.status == Status::blocked ? firstCheck(stage, Status::blocked) : nullptr;
-    return blocked && !blocked->message.empty() ? ": " + oneLine(startOf(blocked->message, longestText)) : "";
+    return blocked && !blocked->message.empty() ? ": " + oneLine(startOf(blocked->message, longestWrapped)) : "";
 }
 
 Lines stageTable(const std::vector<const StageResult*>& stages, bool color) {
@@ -133,7 +133,7 @@ Part messagePart(const CheckResult& check, bool details) {
 // The diagnosis says what is wrong; where there is none, the smallest case that fails does.
 Part causePart(const CheckResult& check, bool details) {
     if (check.diagnosis)
-        return {paragraph("what is wrong: " + oneLine(startOf(check.diagnosis->text, longestText))), 3,
+        return {paragraph("what is wrong: " + oneLine(startOf(check.diagnosis->text, longestWrapped))), 3,
                 details ? 12u : 4u};
     return {block("a case that fails, as C++ (whole with --html or --json):", safe(check.example), "    "), 4,
             details ? 30u : 14u};
@@ -143,7 +143,7 @@ Part hintPart(const CheckResult& check, const ReportOptions& options, bool toldB
     const std::string hint = hintOf(check);
     if (hint.empty() || (!options.hints && toldBelow)) return {};
     if (!options.hints) return {{indent + std::string("look at: --hint shows more")}, 1, 1};
-    return {paragraph("look at: " + oneLine(startOf(hint, longestText))), 2, options.details ? 12u : 4u};
+    return {paragraph("look at: " + oneLine(startOf(hint, longestWrapped))), 2, options.details ? 12u : 4u};
 }
 
 Part outputPart(const CheckResult& check, bool details) {
@@ -153,7 +153,7 @@ Part outputPart(const CheckResult& check, bool details) {
 std::string failingCheck(const CheckResult& check) {
     const double lost = check.maxScore - check.score;
     const std::string marks = check.maxScore > 0.0 ? "-" + marksText(lost) : "-";
-    return cutLine(paddedLeft(marks, 4) + "  " + oneLine(startOf(check.name, longestText)), reportColumns);
+    return cutLine(paddedLeft(marks, 4) + "  " + oneLine(startOf(check.name, longestWrapped)), reportColumns);
 }
 
 // The failing checks after the first, by name; of many, the last line sums up the rest.
@@ -199,7 +199,7 @@ Lines graderFailure(const Result& result, bool color) {
     for (const StageResult& stage : judgedStages(result)) {
         if (!hasError(stage)) continue;
         const CheckResult* check = firstCheck(stage, Status::error);
-        const std::string message = check ? oneLine(startOf(check->message, longestText)) : "";
+        const std::string message = check ? oneLine(startOf(check->message, longestWrapped)) : "";
         Lines lines = wrapText("The grader or the machine failed at " + cutLine(stageName(stage), longestName) +
                                    ", and takes no marks for that" + (message.empty() ? "." : ": " + message),
                                reportColumns);

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "grader/protocol/PlainText.h"
+#include "grader/report/PageTestHelp.h"
 #include "grader/report/SampleResult.h"
 #include "grader/report/TextLines.h"
 
@@ -24,8 +25,6 @@ std::vector<std::string> linesOf(const std::string& report) {
 std::vector<std::string> reportLines(const Result& result, const ReportOptions& options = {}) {
     return linesOf(terminalReport(result, options));
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string lastLine(const Result& result, const ReportOptions& options = {}) {
     return reportLines(result, options).back();

@@ -53,16 +53,16 @@ void wrapLine(std::string_view line, int columns, std::vector<std::string>& line
         return;
     }
     const std::size_t spaces = std::min(line.find_first_not_of(' '), static_cast<std::size_t>(columns / 2));
-    const std::string indent(spaces, ' ');
-    std::string current = indent;
+    const std::string margin(spaces, ' ');
+    std::string current = margin;
     int used = static_cast<int>(spaces);
     const auto endLine = [&] {
         lines.push_back(current);
-        current = indent;
+        current = margin;
         used = static_cast<int>(spaces);
     };
     for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
-        const bool first = current == indent;
+        const bool first = current == margin;
         if (!first && used + 1 + columnsOf(word) > columns)
             endLine();
         else if (!first) {
@@ -78,7 +78,7 @@ void wrapLine(std::string_view line, int columns, std::vector<std::string>& line
         current += word;
         used += columnsOf(word);
     }
-    if (current != indent) lines.push_back(current);
+    if (current != margin) lines.push_back(current);
 }
 
 std::string withoutTabs(std::string_view text) {

@@ -17,7 +17,7 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr int pollMilliseconds = 10;
+constexpr int pollTime = 10;
 constexpr double secondsToStart = 30.0;
 
 }  // namespace
@@ -50,7 +50,7 @@ void ForkServer::start() {
     while (recv(running->sockets.reading.get(), &greeting, 1, 0) != 1) {
         const bool over = running->program.hasEnded(ended);
         if (!over && !deadline.isOver(running->program.process())) {
-            running->talk.exchange(pollMilliseconds, running->sockets.reading.get());
+            running->talk.exchange(pollTime, running->sockets.reading.get());
             continue;
         }
         running->talk.finish(ended);
@@ -106,7 +106,7 @@ Ended ForkServer::run(std::string_view input, double seconds) {
             running.reset();
             break;
         }
-        conversation.exchange(pollMilliseconds, running->sockets.reading.get());
+        conversation.exchange(pollTime, running->sockets.reading.get());
     }
     conversation.finish(ended);
     ended.seconds = deadline.seconds();

@@ -23,7 +23,6 @@ namespace radlab::grader {
 namespace {
 
 constexpr int answerDescriptor = 3, filterDescriptor = 4;
-constexpr int cannotStart = 127;
 constexpr std::size_t mostOpenFiles = 256;
 constexpr uid_t firstOwnUser = 0x70000000;  // far from all that a machine gives to people and services
 

@@ -14,6 +14,9 @@ namespace radlab::grader {
 /// The own user of the boxes that this thread starts: nobody else's, and no account of the machine.
 uid_t ownUserOfThread();
 
+/// The exit code of a child that could not become the program.
+inline constexpr int cannotStart = 127;
+
 /// A program that was started in its box; killed with all that it started when this goes.
 class Launched {
 public:

@@ -9,7 +9,6 @@ namespace radlab::grader {
 namespace {
 
 constexpr int pollMilliseconds = 10;  // how late the end of a program is seen whose children hold its output
-constexpr int cannotStart = 127;
 
 }  // namespace
 
