@@ -60,6 +60,6 @@ if(Python3_Interpreter_FOUND AND UNIX)
       "what is wrong is said in one line with exit code 2")
     add_test(NAME "view: ${claim}" COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/checks/ViewTest.py
       $<TARGET_FILE:view> $<TARGET_FILE:view-picture> ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} "${claim}")
-    set_tests_properties("view: ${claim}" PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: " RUN_SERIAL ON)
+    set_tests_properties("view: ${claim}" PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: " RESOURCE_LOCK window)
   endforeach()
 endif()
