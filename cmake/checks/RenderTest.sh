@@ -135,7 +135,7 @@ case $claim in
         ;;
     "Ctrl-C ends shooting with a whole picture and mesh of the light shot so far, and exit code 130")
         # The light is never all shot: without Ctrl-C this would take hours.
-        interrupted "$read_scene" "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
+        interrupted_in ' shots' "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
             --rays 100000 --width 32 --height 32 -o box.png -o box.glb
         exits 130
         says out ' of the light unshot'

@@ -85,7 +85,6 @@ RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std:
     RenderPicture picture;
     picture.radiance = pathTracePicture(scene, frameOf(flags, input.scene), samples, [&](std::size_t tiles) {
         if (Interrupts::caught()) done = tiles;
-        Interrupts::check();
         bar.show(static_cast<double>(tiles));
     });
     char text[200];

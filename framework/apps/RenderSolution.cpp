@@ -2,7 +2,6 @@
 
 #include "apps/FormFactorRun.h"
 #include "apps/SpecularPart.h"
-#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "engine/PathTracer.h"
@@ -57,10 +56,7 @@ RenderSolution solveByPaths(const SceneInput& input, std::size_t samples) {
     ProgressBar bar("path tracing", static_cast<double>(input.geometry.patches.size()), "patches");
     PathRadiosityOptions options;
     options.samples = samples;
-    options.progress = [&](std::size_t patches) {
-        Interrupts::check();
-        bar.show(static_cast<double>(patches));
-    };
+    options.progress = [&](std::size_t patches) { bar.show(static_cast<double>(patches)); };
     const PathRadiosity found = pathTraceRadiosity(TracedScene(input.geometry, input.scatterings), options);
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: path tracing, %zu paths a patch, %zu rays, %.3g s", found.samples,

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "base/Interrupts.h"
 #include "base/NumberText.h"
 #include "base/WholeFile.h"
 
@@ -32,7 +33,10 @@ void writeTable(const std::string& file, const SceneInput& input, const RenderSo
     writeFile(file, [&](std::ostream& out) {
         out << "# " << input.summary << "\nid,face,x,y,z,nx,ny,nz,area,rho_r,rho_g,rho_b,E_r,E_g,E_b,B_r,B_g,B_b"
             << (solution.standardError.empty() ? "" : ",se_r,se_g,se_b") << '\n';
-        for (std::size_t i = 0; i < solution.radiosity.size(); ++i) out << rowOf(i, input, solution) << '\n';
+        for (std::size_t i = 0; i < solution.radiosity.size(); ++i) {
+            Interrupts::check();
+            out << rowOf(i, input, solution) << '\n';
+        }
     });
 }
 

@@ -1,6 +1,5 @@
 #include "apps/RenderToError.h"
 
-#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
 #include "engine/SolveToError.h"
@@ -35,10 +34,7 @@ RenderSolution solveToError(SceneInput& input, double error, double patchSize) {
     goal.patchSize = patchSize;
     ProgressBar bar("solving", mostTries, "tries");
     double tries = 0.0;
-    goal.progress = [&](const std::string& what) {
-        Interrupts::check();
-        bar.show(tries += 0.5, what);
-    };
+    goal.progress = [&](const std::string& what) { bar.show(tries += 0.5, what); };
     AccurateSolution solution = engine::solveToError(input.scene, input.effects, goal);
     if (!solution.reached)
         warn(input.scene.file + ": an error of " + percent(error) + " was asked for, and " + percent(solution.error) +

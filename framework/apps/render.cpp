@@ -78,6 +78,7 @@ void writePictures(const Flags& flags, const Image& radiance) {
 
 void renderRadiosities(const Flags& flags, SceneInput& input) {
     const RenderSolution solution = solve(flags, input);
+    Interrupts::answer();
     std::cout << solution.summary << std::endl;
     if (!flags.table.empty()) writeTable(flags.table, input, solution);
     if (flags.picture.files.empty()) return;
@@ -113,7 +114,6 @@ int render(const Flags& flags) {
     const Interrupts interrupts;
     check(flags);
     SceneInput input = readSceneInput(flags.scene);
-    Interrupts::check();
     requireCamera(flags.picture, input.scene);
     std::cout << input.summary << '\n' << describe(input.effects, Effect::occlusion) << std::endl;
     if (std::none_of(input.mesh->patches.begin(), input.mesh->patches.end(),

@@ -10,7 +10,7 @@ namespace radlab {
 
 /// A line on stderr that shows how far a long work is, its rate and the time left.
 ///
-/// Silent where stderr is no terminal. Redrawn at most ten times a second; wiped when it goes.
+/// Silent where stderr is no terminal, unless RADLAB_PROGRESS is set. Redrawn at most ten times a second; wiped when it goes.
 class ProgressBar {
 public:
     /// title names the work, unit its steps ("shots"); total is how many there are.

@@ -19,6 +19,7 @@ Point meanIrradiance(const PathWalk& walk, std::size_t patch, std::uint64_t key,
     const LowDiscrepancy points(key);
     Point sum(0.0);
     for (std::size_t k = 0; k < samples; ++k) {
+        Interrupts::check();
         const auto at = points.at(k);
         RandomNumbers random(key, k);
         sum += walk.arriving(patch, walk.pointOf(patch, at[0], at[1]), at[2], at[3], random);
@@ -75,6 +76,7 @@ Image pathTracePicture(const TracedScene& scene, const Frame& frame, std::size_t
         const LowDiscrepancy points(key);
         Point sum(0.0);
         for (std::size_t k = 0; k < samples; ++k) {
+            Interrupts::check();
             const auto at = points.at(k);
             RandomNumbers random(key, k);
             sum += walk.radiance(camera.eye(), camera.direction(x + at[0], y + at[1]), frame.background, random);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/Stopwatch.h"
 #include "engine/Gather.h"
 #include "engine/Parallel.h"
@@ -79,6 +80,7 @@ private:
     };
 
     Sample sample(int x, int y, double dx, double dy, int number) {
+        Interrupts::check();
         const Point direction = camera.direction(x + dx, y + dy);
         const SurfacePoint first = scene.meet(camera.eye(), direction, RayHit::nothing, Sides::fronts);
         if (first.exists() && !scene.scattering(first.patch).isMatt()) ++gathers;

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 
 namespace radlab::engine {
 
@@ -21,6 +22,7 @@ double dot(const Values& a, const Values& b) {
 }
 
 Values exchanged(const Transport& transport, const Values& x) {
+    Interrupts::check();
     Values result(x.size());
     transport.exchange(x, result);
     return result;
@@ -158,6 +160,7 @@ std::vector<double> channelOf(const std::vector<Point>& colors, int channel) {
 Transport transportOf(const FormFactorMatrix& matrix) {
     return {matrix.areas(), [&matrix](const Values& x, Values& result) {
                 tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+                    Interrupts::check();
                     const double* row = matrix.row(i);
                     double sum = 0.0;
                     for (std::size_t j = 0; j < matrix.size(); ++j) sum += row[j] * x[j];
