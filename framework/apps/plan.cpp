@@ -7,6 +7,7 @@
 
 #include "apps/CommandLine.h"
 #include "apps/FormFactorRun.h"
+#include "base/Interrupts.h"
 #include "base/Memory.h"
 #include "engine/Cost.h"
 
@@ -79,6 +80,7 @@ void printJson(const SceneInput& input, const Work& work) {
 }
 
 int plan(const Flags& flags) {
+    const Interrupts interrupts;
     const FormFactorOptions options = optionsOf(flags.formFactors);
     const SceneInput input = readSceneInput(flags.scene);
     const Work work = workOf(input.scene, input.geometry, options);
