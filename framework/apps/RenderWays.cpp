@@ -31,7 +31,8 @@ RenderSolution solveByLinks(const SceneInput& input, double threshold) {
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: %zu links in %zu rounds, %zu rays, %d of 3 channels solved, %.3g s",
                   report.links, report.rounds, report.rays, report.channels, report.seconds);
-    made.summary = text + specular.summary;
+    made.summary = text + specular.summary + stopText(report.stopped, report.residual);
+    if (report.stopped) made.summary += ", and links were not refined to the end";
     return made;
 }
 
