@@ -36,7 +36,7 @@ RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptio
     if (!indirect.on && !indirect.needed) return withoutReflection(input);
     FormFactorReport factors;
     FormFactorMatrix matrix = runFormFactors(input, options, factors);
-    if (!isReciprocal(factors.method)) makeReciprocal(matrix);
+    if (!isReciprocal(factors.method)) shownAs("making reciprocal", [&] { makeReciprocal(matrix); });
     const SpecularPart specular(input);
     const Stopwatch watch;
     RenderSolution solution;
@@ -47,7 +47,8 @@ RenderSolution solveByFormFactors(const SceneInput& input, const FormFactorOptio
     solving.channels = input.effects.channels();
     solving.indirect = input.effects.has(Effect::indirect);
     SolverReport solver;
-    solution.radiosity = solveRadiosity(transport, solution.surfaces, solving, &solver);
+    solution.radiosity =
+        shownAs("radiosities", [&] { return solveRadiosity(transport, solution.surfaces, solving, &solver); });
     char text[400];
     std::snprintf(
         text, sizeof text,

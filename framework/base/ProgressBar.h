@@ -40,6 +40,14 @@ private:
     std::size_t lastLength = 0;
 };
 
+/// Does work that cannot tell how far it is, under a bar with its title.
+template <class Work>
+auto shownAs(const std::string& title, const Work& work) {
+    ProgressBar bar(title, 1.0);
+    bar.show(0.0);
+    return work();
+}
+
 /// "0.4 s", "12 s", "3 min 20 s", "2 h 5 min".
 std::string durationText(double seconds);
 
