@@ -115,5 +115,25 @@ case $claim in
         waits log 'score: 100/100' 1
         wait "$watcher" || wrong "ended with $?"
         watcher= ;;
+    "Ctrl-C ends check and watch with exit code 130 and one line, and leaves no folder")
+        # A stage without an end, so that what is judged is the same at every speed.
+        sed 's|throw NotImplemented("maxenergy_patch");|for (;;) polygons.size();|' "$project/exercises/ProgRef.cpp" >mine.cpp
+        mkdir scratch
+        chmod 711 .  # what is boxed is another user
+        export TMPDIR="$work/scratch"
+        judging='[ -n "$(find scratch -name "*.so" 2>/dev/null)" ]'
+        interrupted_when "$judging" --file mine.cpp --json verdict.json
+        exits 130
+        says err 'interrupted: nothing'
+        [ "$(wc -l <err)" -eq 1 ] || wrong "$(cat err)"
+        [ ! -e verdict.json ] || wrong "a verdict on what was not judged"
+        [ -z "$(ls scratch)" ] || wrong "left behind: $(ls scratch)"
+        for ready in "$judging" "grep -q 'Ctrl-C ends it' out"; do
+            interrupted_when "$ready" --watch --file mine.cpp
+            exits 130
+            says out 'stopped by Ctrl-C'
+            [ ! -s err ] || wrong "$(cat err)"
+            [ -z "$(ls scratch)" ] || wrong "left behind: $(ls scratch)"
+        done ;;
     *) wrong "no such claim" ;;
 esac

@@ -88,5 +88,14 @@ EOF
         says err "'exakt', expected one of point"
         [ ! -s out ] || wrong "on stdout: $(cat out)"
         ;;
+    "Ctrl-C ends planning with exit code 130, one line, and nothing on stdout")
+        # What is passed over is told once the file is read; a million patches are still to be cut then.
+        sed 's|</Scene>|<Sound/></Scene>|' "$project/resources/scenes/furnace.x3d" >room.x3d
+        interrupted_when "grep -q 'passed over' err" room.x3d --patch-size 0.00244
+        exits 130
+        says err 'interrupted: nothing'
+        [ "$(wc -l <err)" -eq 2 ] || wrong "$(cat err)"
+        [ ! -s out ] || wrong "$(cat out)"
+        ;;
     *) wrong "no such claim" ;;
 esac

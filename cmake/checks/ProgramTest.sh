@@ -11,18 +11,35 @@ run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
 exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
 says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
 
-# Starts the program, and presses Ctrl-C once it has printed a line with this. In a shell's background SIGINT is ignored,
-# which a program that is started by env can undo.
-interrupted() {
-    line=$1
+# Starts the program, and presses Ctrl-C once a command succeeds. In a shell's background SIGINT is ignored, which a program that is
+# started by env can undo.
+interrupted_when() {
+    ready=$1
     shift
     env --default-signal=INT "$program" "$@" >out 2>err </dev/null &
     child=$!
-    until grep -q -- "$line" out; do
+    until eval "$ready"; do
         kill -0 $child 2>/dev/null || break
         sleep 0.1
     done
     kill -INT $child
     code=0
     wait $child || code=$?
+}
+
+# The same once its progress shows this.
+interrupted_in() {
+    shown=$1
+    shift
+    RADLAB_PROGRESS=1
+    export RADLAB_PROGRESS
+    interrupted_when 'grep -q -- "$shown" err' "$@"
+    unset RADLAB_PROGRESS
+}
+
+# The same once it has printed a line with this.
+interrupted() {
+    line=$1
+    shift
+    interrupted_when 'grep -q -- "$line" out' "$@"
 }

@@ -142,7 +142,7 @@ case $claim in
         ;;
     "Ctrl-C ends shooting with a whole picture and mesh of the light shot so far, and exit code 130")
         # The light is never all shot: without Ctrl-C this would take hours.
-        interrupted "$read_scene" "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
+        interrupted_in ' shots' "$project/resources/scenes/cornell_2.x3d" --patch-size 10 --unshot 1e-9 --method hemisphere \
             --rays 100000 --width 32 --height 32 -o box.png -o box.glb
         exits 130
         says out ' of the light unshot'
@@ -159,6 +159,49 @@ case $claim in
         exits 130
         says err 'interrupted: nothing'
         [ "$(ls)" = "$(printf 'err\nout')" ] || wrong "left behind: $(ls)"
+        ;;
+    "Ctrl-C in path tracing leaves a table and a picture of the paths so far")
+        # After two passes, the first of which takes every patch or pixel.
+        interrupted_in ' 1[0-9] %' "$project/resources/scenes/furnace.x3d" --patch-size 10 --method path --samples 100000 \
+            --csv box.csv
+        exits 130
+        says out 'stopped by Ctrl-C: 100000 paths were asked for'
+        [ "$(grep -vc '^#' box.csv)" -eq 7 ] || wrong "$(cat box.csv)"
+        interrupted_in ' [1-9] %' "$project/resources/scenes/furnace.x3d" --patch-size 10 --method path --samples 10000 \
+            --width 64 --height 64 -o box.png
+        exits 130
+        says out 'stopped by Ctrl-C: 10000 paths were asked for'
+        [ "$(head -c 4 box.png | tail -c 3)" = PNG ] || wrong "no PNG"
+        ;;
+    "Ctrl-C in links ends with the links of the rounds so far, or with none")
+        interrupted_in ' links' "$project/resources/scenes/cornell_2.x3d" --patch-size 15 --method links --threshold 1e-12 --csv box.csv
+        exits 130
+        if [ -e box.csv ]; then says out 'stopped by Ctrl-C: of the light'; else says err 'interrupted: nothing'; fi
+        ;;
+    "Ctrl-C in a path traced picture leaves the table that was written before, and says which files are whole")
+        # The table has six patches, and the picture would take days.
+        interrupted '^written: box.csv' "$project/resources/scenes/furnace.x3d" --patch-size 10 --method path --samples 20000 \
+            --csv box.csv --width 8000 --height 8000 -o box.png
+        exits 130
+        [ "$(grep -vc '^#' box.csv)" -eq 7 ] || wrong "$(cat box.csv)"
+        says out 'stopped by Ctrl-C: what is '
+        ! grep -q 'nothing was written' err || wrong "$(cat err)"
+        if [ -e box.png ]; then says out 'written: box.png'; fi
+        [ -z "$(ls | grep part)" ] || wrong "left behind: $(ls)"
+        ;;
+    "a mesh alone is written without a picture where its exposure is given")
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.5 --width 32 --height 32 --exposure 0.5 -o room.ply -o room.glb
+        exits 0
+        says out 'written: room.glb'
+        ! grep -q 'picture: ' out || wrong "$(cat out)"
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.5 --width 32 --height 32 -o again.ply
+        exits 0
+        says out 'picture: '
+        run "$project/resources/scenes/furnace.x3d" --patch-size 0.5 --method path --samples 32 --width 32 --height 32 --exposure 0.5 \
+            -o paths.ply
+        exits 0
+        says out 'written: paths.ply'
+        ! grep -q 'picture: ' out || wrong "$(cat out)"
         ;;
     *) wrong "no such claim" ;;
 esac

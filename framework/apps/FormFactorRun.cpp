@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/Interrupts.h"
 #include "base/Memory.h"
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
@@ -54,10 +53,7 @@ engine::FormFactorMatrix runFormFactors(const SceneInput& input, engine::FormFac
                                         engine::FormFactorReport& report) {
     ProgressBar bar("form factors", static_cast<double>(input.geometry.patches.size()), "rows");
     options.occlusion = input.effects.has(Effect::occlusion);
-    options.progress = [&](std::size_t rows) {
-        Interrupts::check();
-        bar.show(static_cast<double>(rows));
-    };
+    options.progress = [&](std::size_t rows) { bar.show(static_cast<double>(rows)); };
     engine::FormFactorMatrix matrix = engine::formFactors(input.geometry, options, &report);
     warnOfLimits(input, report.method);
     return matrix;

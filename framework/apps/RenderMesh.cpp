@@ -5,9 +5,9 @@
 namespace radlab {
 
 void writeSolution(const std::string& file, const PictureFlags& flags, const SceneInput& input,
-                   const RenderSolution& solution, const Image& radiance) {
-    writeMesh(file, solvedMesh(input.scene, *input.mesh, solution.radiosity, shadingOf(flags, input, solution),
-                               exposureOf(flags, radiance)));
+                   const RenderSolution& solution, float exposure) {
+    writeMesh(file,
+              solvedMesh(input.scene, *input.mesh, solution.radiosity, shadingOf(flags, input, solution), exposure));
 }
 
 }  // namespace radlab

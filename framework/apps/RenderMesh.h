@@ -6,8 +6,8 @@ namespace radlab {
 
 /// Writes a solved scene as glTF or PLY, by the file's ending, in the colours that the picture has.
 ///
-/// @param radiance the picture, whose exposure the mesh gets
+/// @param exposure display value per radiance
 void writeSolution(const std::string& file, const PictureFlags& flags, const SceneInput& input,
-                   const RenderSolution& solution, const Image& radiance);
+                   const RenderSolution& solution, float exposure);
 
 }  // namespace radlab

@@ -1,12 +1,10 @@
 #include "apps/RenderPicture.h"
 
-#include <atomic>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
 #include "base/ImageFile.h"
-#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "display/ToneMap.h"
@@ -66,12 +64,17 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
     const PatchShading shading = shadingOf(flags, input, solution);
     PictureOptions options;
     options.samplesPerEdge = input.effects.has(Effect::antialias) ? flags.antialias : 1;
+    const std::size_t times = options.samplesPerEdge > 1 ? 2 : 1;
+    ProgressBar bar("picture", static_cast<double>(times * tilesOf(flags.width, flags.height)), "tiles");
+    options.progress = [&](std::size_t tiles) { bar.show(static_cast<double>(tiles)); };
     RenderPicture picture;
     PictureReport& report = picture.report;
     picture.radiance = drawPicture(scene, shading, frameOf(flags, input.scene), options, &report);
-    char text[200];
-    std::snprintf(text, sizeof text, "picture: %zu rays, %zu gathers, %zu of %zu pixels sampled more than once, %.3g s",
-                  report.rays, report.gathers, report.sampledMore, picture.radiance.data().size(), report.seconds);
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "picture: %zu rays, %zu gathers, %zu of %zu pixels sampled more than once, %.3g s%s", report.rays,
+                  report.gathers, report.sampledMore, picture.radiance.data().size(), report.seconds,
+                  report.stopped ? "\nstopped by Ctrl-C: other pixels should have been, too" : "");
     picture.summary = text;
     return picture;
 }
@@ -79,22 +82,16 @@ RenderPicture drawSolution(const PictureFlags& flags, const SceneInput& input, c
 RenderPicture drawPaths(const PictureFlags& flags, const SceneInput& input, std::size_t samples) {
     const Stopwatch watch;
     const TracedScene scene(input.geometry, input.scatterings);
-    const std::size_t all = tilesOf(flags.width, flags.height);
-    std::atomic<std::size_t> done{all};
-    ProgressBar bar("path tracing", static_cast<double>(all), "tiles");
+    const Frame frame = frameOf(flags, input.scene);
+    ProgressBar bar("path tracing", static_cast<double>(samples) * frame.width * frame.height, "paths");
+    std::size_t fewest = 0;
     RenderPicture picture;
-    picture.radiance = pathTracePicture(scene, frameOf(flags, input.scene), samples, [&](std::size_t tiles) {
-        if (Interrupts::caught()) done = tiles;
-        Interrupts::check();
-        bar.show(static_cast<double>(tiles));
-    });
+    picture.radiance = pathTracePicture(
+        scene, frame, samples, [&](std::size_t paths) { bar.show(static_cast<double>(paths)); }, &fewest);
     char text[200];
-    std::snprintf(text, sizeof text, "picture: path tracing, %zu paths a pixel, %zu rays, %.3g s", samples,
-                  scene.rays(), watch.seconds());
+    std::snprintf(text, sizeof text, "picture: path tracing, %zu paths a pixel, %zu rays, %.3g s%s", fewest,
+                  scene.rays(), watch.seconds(), fewerText(fewest, samples).c_str());
     picture.summary = text;
-    if (done < all)
-        picture.summary += "; the picture is black but for " + std::to_string(done) + " of " + std::to_string(all) +
-                           " tiles, where Ctrl-C stopped it";
     return picture;
 }
 

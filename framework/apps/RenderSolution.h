@@ -25,8 +25,14 @@ struct RenderSolution {
     std::string summary;  ///< for the user, in lines
 };
 
+/// Where Ctrl-C stopped a solution, and what that means, to add to a summary; nothing where it did not.
+std::string stopText(bool stopped, double residual);
+
 /// Solves a scene by form factors between its patches.
 RenderSolution solveByFormFactors(const SceneInput& input, const engine::FormFactorOptions& options);
+
+/// The same where fewer paths were taken than were asked for.
+std::string fewerText(std::size_t taken, std::size_t asked);
 
 /// Finds the radiosities by so many random walks from each patch, with a progress bar.
 RenderSolution solveByPaths(const SceneInput& input, std::size_t samples);

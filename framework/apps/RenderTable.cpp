@@ -2,7 +2,9 @@
 
 #include <ostream>
 
+#include "base/Interrupts.h"
 #include "base/NumberText.h"
+#include "base/ProgressBar.h"
 #include "base/WholeFile.h"
 
 namespace radlab {
@@ -29,10 +31,15 @@ std::string rowOf(std::size_t i, const SceneInput& input, const RenderSolution& 
 }  // namespace
 
 void writeTable(const std::string& file, const SceneInput& input, const RenderSolution& solution) {
+    ProgressBar bar("writing " + file, static_cast<double>(solution.radiosity.size()), "rows");
     writeFile(file, [&](std::ostream& out) {
         out << "# " << input.summary << "\nid,face,x,y,z,nx,ny,nz,area,rho_r,rho_g,rho_b,E_r,E_g,E_b,B_r,B_g,B_b"
             << (solution.standardError.empty() ? "" : ",se_r,se_g,se_b") << '\n';
-        for (std::size_t i = 0; i < solution.radiosity.size(); ++i) out << rowOf(i, input, solution) << '\n';
+        for (std::size_t i = 0; i < solution.radiosity.size(); ++i) {
+            Interrupts::check();
+            bar.show(static_cast<double>(i));
+            out << rowOf(i, input, solution) << '\n';
+        }
     });
 }
 

@@ -1,6 +1,5 @@
 #include "apps/RenderToError.h"
 
-#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Warning.h"
 #include "engine/SolveToError.h"
@@ -21,7 +20,8 @@ std::string percent(double share) {
 std::string describe(const AccurateSolution& solution, double asked, bool meshChosen) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.3g s", solution.seconds);
-    return "chosen: " + engine::describe(solution.way) + "; " + std::to_string(solution.geometry.patches.size()) +
+    return std::string(solution.stopped ? "stopped by Ctrl-C: this is the last try that was finished\n" : "") +
+           "chosen: " + engine::describe(solution.way) + "; " + std::to_string(solution.geometry.patches.size()) +
            " patches\nestimated error: " + percent(solution.error) + ", asked for: " + percent(asked) + " (patches " +
            percent(solution.meshError) + (meshChosen ? "" : ", not counted as their size was given") + ", solution " +
            percent(solution.solverError) + ", times a margin); " + seconds;
@@ -34,13 +34,9 @@ RenderSolution solveToError(SceneInput& input, double error, double patchSize) {
     goal.error = error;
     goal.patchSize = patchSize;
     ProgressBar bar("solving", mostTries, "tries");
-    double tries = 0.0;
-    goal.progress = [&](const std::string& what) {
-        Interrupts::check();
-        bar.show(tries += 0.5, what);
-    };
+    goal.progress = [&](double tries, const std::string& what) { bar.show(tries, what); };
     AccurateSolution solution = engine::solveToError(input.scene, input.effects, goal);
-    if (!solution.reached)
+    if (!solution.reached && !solution.stopped)
         warn(input.scene.file + ": an error of " + percent(error) + " was asked for, and " + percent(solution.error) +
              " was reached: expected a larger --error, or smaller patches by --patch-size");
     RenderSolution made{

@@ -4,7 +4,6 @@
 
 #include "apps/FormFactorRun.h"
 #include "apps/SpecularPart.h"
-#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "engine/FormFactorRows.h"
 #include "engine/HierarchicalRadiosity.h"
@@ -23,10 +22,7 @@ RenderSolution solveByLinks(const SceneInput& input, double threshold) {
     options.channels = input.effects.channels();
     options.indirect = input.effects.has(Effect::indirect);
     ProgressBar bar("links", 1.0);
-    options.progress = [&](std::size_t links) {
-        Interrupts::check();
-        bar.show(0.0, std::to_string(links) + " links");
-    };
+    options.progress = [&](std::size_t links) { bar.show(0.0, std::to_string(links) + " links"); };
     const SpecularPart specular(input);
     options.further = specular.further();
     RenderSolution made;
@@ -35,7 +31,8 @@ RenderSolution solveByLinks(const SceneInput& input, double threshold) {
     char text[200];
     std::snprintf(text, sizeof text, "radiosities: %zu links in %zu rounds, %zu rays, %d of 3 channels solved, %.3g s",
                   report.links, report.rounds, report.rays, report.channels, report.seconds);
-    made.summary = text + specular.summary;
+    made.summary = text + specular.summary + stopText(report.stopped, report.residual);
+    if (report.stopped) made.summary += ", and links were not refined to the end";
     return made;
 }
 
@@ -61,7 +58,6 @@ RenderSolution solveByShooting(const SceneInput& input, FormFactorOptions factor
     if (flags.shots > 0) options.mostShots = flags.shots;
     ProgressBar bar("shooting", 1.0);
     options.progress = [&](std::size_t shots, double unshot) {
-        Interrupts::check();
         // Light falls about evenly in the logarithm.
         bar.show(std::log(std::max(unshot, options.unshot)) / std::log(options.unshot),
                  std::to_string(shots) + " shots");

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/Memory.h"
+#include "base/ProgressBar.h"
 #include "scene/ResourceFile.h"
 #include "scene/X3dReader.h"
 
@@ -28,7 +29,7 @@ Scene read(const SceneFlags& flags, Sizes& sizes) {
         sizes = {static_cast<double>(settings.patchSize), static_cast<double>(settings.lightSize)};
     }
     if (flags.patchSize > 0.0) sizes = {flags.patchSize, flags.patchSize};
-    return readX3d(file);
+    return shownAs("reading " + file.filename().string(), [&] { return readX3d(file); });
 }
 
 std::vector<Force> forcesOf(const SceneFlags& flags) {
@@ -64,10 +65,12 @@ SceneInput readSceneInput(const SceneFlags& flags) {
     const double expected = engine::patchesAt(input.scene, sizes.patch, sizes.light);
     requireMemory(bytesOfPatch * expected, "about " + std::to_string(std::llround(expected)) + " patches",
                   "take larger patches");
-    input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces, static_cast<float>(sizes.patch),
-                                             static_cast<float>(sizes.light));
-    input.geometry = engine::geometryOf(input.scene, *input.mesh);
-    decide(input, forces);
+    shownAs("cutting patches", [&] {
+        input.mesh = std::make_unique<PatchMesh>(input.scene.vertices, input.scene.faces,
+                                                 static_cast<float>(sizes.patch), static_cast<float>(sizes.light));
+        input.geometry = engine::geometryOf(input.scene, *input.mesh);
+    });
+    shownAs("looking for effects", [&] { decide(input, forces); });
     char text[64];
     std::snprintf(text, sizeof text, ": %zu patches of size %.4g", input.geometry.patches.size(), sizes.patch);
     input.summary = input.scene.file + text;

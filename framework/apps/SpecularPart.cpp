@@ -1,6 +1,5 @@
 #include "apps/SpecularPart.h"
 
-#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 
@@ -13,10 +12,7 @@ SpecularPart::SpecularPart(const SceneInput& input) {
     const Stopwatch watch;
     ProgressBar bar("specular transport", static_cast<double>(input.geometry.patches.size()), "patches");
     SpecularOptions options;
-    options.progress = [&](std::size_t patches) {
-        Interrupts::check();
-        bar.show(static_cast<double>(patches));
-    };
+    options.progress = [&](std::size_t patches) { bar.show(static_cast<double>(patches)); };
     transport.emplace(input.geometry, input.scatterings, options);
     char text[150];
     std::snprintf(text, sizeof text, "\nover specular faces: %zu rays, %zu pairs of patches, %.3g s", transport->rays(),

@@ -5,6 +5,7 @@
 #include "apps/CommandLine.h"
 #include "apps/FormFactorRun.h"
 #include "base/Interrupts.h"
+#include "base/ProgressBar.h"
 #include "engine/ExchangeArea.h"
 #include "engine/MatrixFile.h"
 
@@ -45,15 +46,16 @@ int formFactorTable(const Flags& flags) {
     std::cout << storageOf(input) << std::endl;
     FormFactorReport report;
     FormFactorMatrix matrix = runFormFactors(input, options, report);
-    std::string summary =
-        input.summary + "\n" + describeRun(report, input.effects) + "\n" + describe(qualityOf(matrix));
+    const MatrixQuality quality = shownAs("adding up rows", [&] { return qualityOf(matrix); });
+    std::string summary = input.summary + "\n" + describeRun(report, input.effects) + "\n" + describe(quality);
     if (panes) summary += "\nlight that faces let through is counted at them and behind them: rows may exceed 1";
     if (flags.enforce) {
         char text[100];
-        std::snprintf(text, sizeof text, "\nboth laws enforced; rows are off by %.2g at most", enforceLaws(matrix));
+        const double off = shownAs("enforcing both laws", [&] { return enforceLaws(matrix); });
+        std::snprintf(text, sizeof text, "\nboth laws enforced; rows are off by %.2g at most", off);
         summary += text;
     }
-    writeMatrix(flags.out, matrix, summary + "\nrow i, column j is F(i->j)");
+    shownAs("writing " + flags.out, [&] { writeMatrix(flags.out, matrix, summary + "\nrow i, column j is F(i->j)"); });
     std::cout << summary << "\nwritten: " << flags.out << '\n';
     return 0;
 }

@@ -7,7 +7,9 @@
 
 #include "apps/CommandLine.h"
 #include "apps/FormFactorRun.h"
+#include "base/Interrupts.h"
 #include "base/Memory.h"
+#include "base/ProgressBar.h"
 #include "engine/Cost.h"
 
 namespace {
@@ -79,9 +81,10 @@ void printJson(const SceneInput& input, const Work& work) {
 }
 
 int plan(const Flags& flags) {
+    const Interrupts interrupts;
     const FormFactorOptions options = optionsOf(flags.formFactors);
     const SceneInput input = readSceneInput(flags.scene);
-    const Work work = workOf(input.scene, input.geometry, options);
+    const Work work = shownAs("counting work", [&] { return workOf(input.scene, input.geometry, options); });
     if (flags.json)
         printJson(input, work);
     else

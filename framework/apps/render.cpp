@@ -66,66 +66,113 @@ RenderSolution solve(const Flags& flags, SceneInput& input) {
     return solveByFormFactors(input, optionsOf(flags.formFactors));
 }
 
-void writeMeshes(const Flags& flags, const SceneInput& input, const RenderSolution& solution, const Image& radiance) {
-    for (const std::string& file : flags.picture.files)
-        if (isMeshFile(file)) writeSolution(file, flags.picture, input, solution, radiance);
-}
+// Writes what was asked for, file by file, and says so.
+class Writer {
+public:
+    Writer(const Flags& asked, const SceneInput& solved) : flags(asked), input(solved) {}
 
-void writePictures(const Flags& flags, const Image& radiance) {
-    for (const std::string& file : flags.picture.files)
-        if (!isMeshFile(file)) writePicture(file, flags.picture, radiance);
-}
+    void table(const RenderSolution& solution) {
+        if (flags.table.empty()) return;
+        writeTable(flags.table, input, solution);
+        tell(flags.table);
+    }
 
-void renderRadiosities(const Flags& flags, SceneInput& input) {
-    const RenderSolution solution = solve(flags, input);
+    void meshes(const RenderSolution& solution, const Image& radiance) {
+        for (const std::string& file : flags.picture.files) {
+            if (!isMeshFile(file)) continue;
+            writeSolution(file, flags.picture, input, solution, exposureOf(flags.picture, radiance));
+            tell(file);
+        }
+    }
+
+    void pictures(const Image& radiance) {
+        for (const std::string& file : flags.picture.files) {
+            if (isMeshFile(file)) continue;
+            writePicture(file, flags.picture, radiance);
+            tell(file);
+        }
+    }
+
+    bool hasWritten() const { return any; }
+
+private:
+    void tell(const std::string& file) {
+        std::cout << "written: " << file << std::endl;
+        any = true;
+    }
+
+    const Flags& flags;
+    const SceneInput& input;
+    bool any = false;
+};
+
+// What is solved, to the end or not, is now drawn and written.
+void tellSolution(const RenderSolution& solution) {
+    Interrupts::answer();
     std::cout << solution.summary << std::endl;
-    if (!flags.table.empty()) writeTable(flags.table, input, solution);
-    if (flags.picture.files.empty()) return;
-    const RenderPicture picture = drawSolution(flags.picture, input, solution);
-    std::cout << picture.summary << '\n';
-    writeMeshes(flags, input, solution, picture.radiance);
-    writePictures(flags, picture.radiance);
 }
 
-void renderByPaths(const Flags& flags, const SceneInput& input) {
+Image drawn(const RenderPicture& picture) {
+    std::cout << picture.summary << std::endl;
+    return picture.radiance;
+}
+
+// No picture of which meshes were to get their exposure, if they are given one.
+Image drawnForMeshes(const Flags& flags, const SceneInput& input, const RenderSolution& solution) {
+    return flags.picture.exposure > 0.0 ? Image() : drawn(drawSolution(flags.picture, input, solution));
+}
+
+void renderRadiosities(const Flags& flags, SceneInput& input, Writer& write) {
+    const RenderSolution solution = solve(flags, input);
+    tellSolution(solution);
+    write.table(solution);
+    if (flags.picture.files.empty()) return;
+    const Image radiance = flags.wantsPicture() ? drawn(drawSolution(flags.picture, input, solution))
+                                                : drawnForMeshes(flags, input, solution);
+    Interrupts::answer();
+    write.meshes(solution, radiance);
+    write.pictures(radiance);
+}
+
+void renderByPaths(const Flags& flags, const SceneInput& input, Writer& write) {
     const std::size_t samples = flags.samples > 0 ? flags.samples : usualSamples;
     if (!flags.table.empty() || flags.wantsMesh()) {
         const RenderSolution solution = solveByPaths(input, samples);
-        std::cout << solution.summary << std::endl;
-        if (!flags.table.empty()) writeTable(flags.table, input, solution);
-        if (flags.wantsMesh())
-            writeMeshes(flags, input, solution, drawSolution(flags.picture, input, solution).radiance);
+        tellSolution(solution);
+        write.table(solution);
+        if (flags.wantsMesh()) write.meshes(solution, drawnForMeshes(flags, input, solution));
     }
     if (!flags.wantsPicture()) return;
+    if (Interrupts::caught()) throw Interrupted();  // or the picture would take as long as what was stopped
     const RenderPicture picture = drawPaths(flags.picture, input, samples);
-    std::cout << picture.summary << '\n';
-    writePictures(flags, picture.radiance);
+    Interrupts::answer();
+    write.pictures(drawn(picture));
 }
 
-// The code to end with: that of Ctrl-C where it cut the work short.
-int tellEnd() {
-    if (!Interrupts::caught()) return 0;
-    std::cout << "stopped by Ctrl-C: what is written is whole, and as far as the lines above say\n";
-    return 130;
+// Solves, draws and writes; Interrupted where not everything that was asked for is written.
+void renderInto(Writer& write, const Flags& flags, SceneInput& input) {
+    if (flags.byPaths())
+        renderByPaths(flags, input, write);
+    else
+        renderRadiosities(flags, input, write);
 }
 
 int render(const Flags& flags) {
     const Interrupts interrupts;
     check(flags);
     SceneInput input = readSceneInput(flags.scene);
-    Interrupts::check();
     requireCamera(flags.picture, input.scene);
     std::cout << input.summary << '\n' << describe(input.effects, Effect::occlusion) << std::endl;
     if (std::none_of(input.mesh->patches.begin(), input.mesh->patches.end(),
                      [](const MyPolygon& patch) { return patch.emissive != Vec3f(0.0f); }))
         warn(input.scene.file + ": nothing emits light, so every radiosity is 0");
-    if (flags.byPaths())
-        renderByPaths(flags, input);
-    else
-        renderRadiosities(flags, input);
-    for (const std::string& file : flags.picture.files) std::cout << "written: " << file << '\n';
-    if (!flags.table.empty()) std::cout << "written: " << flags.table << '\n';
-    return tellEnd();
+    Writer write(flags, input);
+    const bool whole = doneWhole([&] { renderInto(write, flags, input); });
+    if (!whole && !write.hasWritten()) throw Interrupted();
+    if (!Interrupts::caught()) return 0;
+    std::cout << (whole ? "stopped by Ctrl-C: what is written is whole, and as far as the lines above say\n"
+                        : "stopped by Ctrl-C: what is named above is written whole, and nothing else\n");
+    return 130;
 }
 
 void describe(CLI::App& app, Flags& flags) {

@@ -93,6 +93,7 @@ int makeStudy(const Flags& flags) {
     const auto context = openGlIfAny();
     studyAll(scenes, plan, context != nullptr, folder, results);
     if (scenes.empty()) Interrupts::check();
+    Interrupts::answer();
     const std::filesystem::path page = writeStudy(folder, plan, scenes, results);
     const bool stopped = Interrupts::caught();
     std::cout << (stopped ? "stopped by Ctrl-C after " : "done in ") << durationText(watch.seconds()) << ": open "

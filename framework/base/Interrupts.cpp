@@ -14,12 +14,22 @@ constexpr int signals[] = {SIGINT, SIGTERM, SIGBREAK};
 constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 #endif
 
-volatile std::sig_atomic_t came = 0;
 volatile std::sig_atomic_t again[sizeof signals / sizeof *signals] = {};
 
+}  // namespace
+
+bool doneWhole(const std::function<void()>& work) {
+    try {
+        work();
+        return true;
+    } catch (const Interrupted&) {
+        return false;
+    }
+}
+
 // Calls nothing but what a signal handler may call.
-void note(int number) {
-    came = 1;
+void Interrupts::note(int number) {
+    came = true;
     for (std::size_t i = 0; i < sizeof signals / sizeof *signals; ++i) {
         if (signals[i] != number) continue;
         if (!again[i]) {
@@ -33,19 +43,8 @@ void note(int number) {
     std::raise(number);
 }
 
-}  // namespace
-
-bool doneWhole(const std::function<void()>& work) {
-    try {
-        work();
-        return true;
-    } catch (const Interrupted&) {
-        return false;
-    }
-}
-
 Interrupts::Interrupts() {
-    came = 0;
+    came = answered = false;
     for (int i = 0; i < count; ++i) {
         again[i] = 0;
         before[i] = std::signal(signals[i], note);
@@ -55,16 +54,17 @@ Interrupts::Interrupts() {
 
 Interrupts::~Interrupts() {
     for (int i = 0; i < count; ++i) std::signal(signals[i], before[i]);
-    came = 0;
+    came = false;
 }
 
-bool Interrupts::caught() { return came != 0; }
+void Interrupts::answer() { answered = came.load(); }
 
-void Interrupts::check() {
-    if (caught()) throw Interrupted();
+void Interrupts::throwUnlessAnswered() {
+    if (!answered) throw Interrupted();
 }
 
 void Interrupts::forget() {
+    came = false;
     for (const int number : signals) {
         const Handler now = std::signal(number, SIG_DFL);
         if (now != note) std::signal(number, now);

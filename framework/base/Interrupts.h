@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <stdexcept>
 
@@ -26,15 +27,27 @@ public:
     Interrupts& operator=(const Interrupts&) = delete;
 
     /// Whether one came since this was made; not where there is none of these.
-    static bool caught();
+    static bool caught() { return came.load(std::memory_order_relaxed); }
 
-    /// Throws Interrupted where one came.
-    static void check();
+    /// Throws Interrupted where one came that was not answered yet.
+    ///
+    /// @cost next to nothing, so that long work may ask in its loops
+    static void check() {
+        if (caught()) throwUnlessAnswered();
+    }
+
+    /// Lets check throw no more for what came: what is left to do is to finish and write what there is.
+    static void answer();
 
     /// In a process that was forked: lets them end it.
     static void forget();
 
 private:
+    static void note(int signal);
+    static void throwUnlessAnswered();
+
+    static inline std::atomic<bool> came{false}, answered{false};
+    static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal's handler could not set it
     static constexpr int count = 3;
     using Handler = void (*)(int);
     Handler before[count] = {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #ifdef _WIN32
@@ -42,7 +43,8 @@ std::string durationText(double seconds) {
 }
 
 ProgressBar::ProgressBar(std::string titleText, double totalSteps, std::string unitText)
-    : ProgressBar(std::move(titleText), totalSteps, std::move(unitText), std::cerr, errorStreamIsTerminal()) {}
+    : ProgressBar(std::move(titleText), totalSteps, std::move(unitText), std::cerr,
+                  errorStreamIsTerminal() || std::getenv("RADLAB_PROGRESS")) {}
 
 ProgressBar::ProgressBar(std::string titleText, double totalSteps, std::string unitText, std::ostream& stream,
                          bool shown)

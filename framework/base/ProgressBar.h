@@ -10,7 +10,7 @@ namespace radlab {
 
 /// A line on stderr that shows how far a long work is, its rate and the time left.
 ///
-/// Silent where stderr is no terminal. Redrawn at most ten times a second; wiped when it goes.
+/// Silent where stderr is no terminal, unless RADLAB_PROGRESS is set. Redrawn at most ten times a second; wiped when it goes.
 class ProgressBar {
 public:
     /// title names the work, unit its steps ("shots"); total is how many there are.
@@ -39,6 +39,14 @@ private:
     double lastDrawn = -1.0;
     std::size_t lastLength = 0;
 };
+
+/// Does work that cannot tell how far it is, under a bar with its title.
+template <class Work>
+auto shownAs(const std::string& title, const Work& work) {
+    ProgressBar bar(title, 1.0);
+    bar.show(0.0);
+    return work();
+}
 
 /// "0.4 s", "12 s", "3 min 20 s", "2 h 5 min".
 std::string durationText(double seconds);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "base/Interrupts.h"
+
 namespace radlab {
 
 namespace {
@@ -25,6 +27,7 @@ std::vector<Candidate> candidates(const std::vector<Face>& faces, const std::vec
     std::vector<bool> seen(vertices.size(), false);
     std::vector<Candidate> found;
     for (std::size_t i = 0; i < patches.size(); ++i) {
+        Interrupts::check();
         const Face& face = faces[static_cast<std::size_t>(faceOf[i])];
         if (face.creaseAngle <= 0.0f) continue;
         for (int k = 0; k < patches[i].vertices; ++k) {
@@ -99,6 +102,7 @@ std::vector<int> joined(const std::vector<Candidate>& found, const std::vector<M
     const double tolerance = samePlace * extent(found, vertices);
     Places places(tolerance);
     for (std::size_t i = 0; i < found.size(); ++i) {
+        Interrupts::check();
         const Vec3f& position = vertices[static_cast<std::size_t>(found[i].vertex)].position;
         places.visitNear(position, [&](std::size_t earlier) {
             const Vec3f& other = vertices[static_cast<std::size_t>(found[earlier].vertex)].position;

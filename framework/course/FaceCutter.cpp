@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/Interrupts.h"
 #include "course/PatchMesh.h"
 #include "course/PointWelder.h"
 
@@ -100,6 +101,7 @@ void FaceCutter::cutPolygon(const Corners& corners, const glm::dvec3& normal) {
         std::vector<Polygon2> strips;
         for (const Polygon2& piece : pieces) strips.push_back(between(piece, 0, low.x, extent.x / columns, i));
         for (int j = 0; j < static_cast<int>(rows); ++j) {
+            Interrupts::check();
             std::vector<Polygon2> parts;
             for (const Polygon2& strip : strips)
                 if (Polygon2 part = welder.welded(between(strip, 1, low.y, extent.y / rows, j)); part.size() > 2)
@@ -143,6 +145,7 @@ void FaceCutter::checkRoom(double patches) const {
 }
 
 int FaceCutter::addVertex(const glm::dvec3& position) {
+    Interrupts::check();
     exact.push_back(position);
     outVertices.emplace_back();
     outVertices.back().position = Vec3f(position);
@@ -150,6 +153,7 @@ int FaceCutter::addVertex(const glm::dvec3& position) {
 }
 
 void FaceCutter::addPatch(const std::vector<int>& corner) {
+    Interrupts::check();
     const std::size_t before = outVertices.size() - exact.size();
     Corners positions;
     for (const int index : corner) positions.push_back(exact[static_cast<std::size_t>(index) - before]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/Interrupts.h"
 #include "base/Warning.h"
 #include "course/CreaseAngle.h"
 #include "course/FaceCutter.h"
@@ -69,6 +70,7 @@ std::vector<int> Mesher::mesh(const std::vector<Vec3f>& inVertices, const std::v
     int slivers = 0;
     Location firstSliver;
     for (std::size_t i = 0; i < inPolygons.size(); ++i) {
+        Interrupts::check();
         const Face& face = inPolygons[i];
         RADLAB_CHECK(face.material != nullptr);
         const Corners corners = differentCorners(inVertices, face);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/Interrupts.h"
 #include "engine/LowDiscrepancy.h"
 #include "engine/SpecularTransport.h"
 #include "engine/Visibility.h"
@@ -51,6 +52,7 @@ void countPairs(const std::vector<Polygon>& patches, Work& work) {
     const std::size_t rows = std::clamp<std::size_t>(mostPairs / count, 1, count);
     const LowDiscrepancy points(0);
     for (std::size_t k = 0; k < rows; ++k) {
+        Interrupts::check();
         const std::size_t i = rows == count ? k : indexAt(points.at(k)[0], count);
         for (const Polygon& other : patches) {
             if (&other == &patches[i] || !faceEachOther(patches[i], other)) continue;
@@ -71,6 +73,7 @@ double raysPerPair(const Geometry& geometry, std::size_t mostRays) {
     double facing = 0.0;
     for (std::size_t k = 0; k < pairs; ++k) {
         const auto at = points.at(k);
+        Interrupts::check();
         const std::size_t i = indexAt(at[0], count), j = indexAt(at[1], count);
         if (i == j || !faceEachOther(geometry.patches[i], geometry.patches[j])) continue;
         ++facing;

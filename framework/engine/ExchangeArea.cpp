@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/Memory.h"
 #include "engine/EdgeIntegral.h"
 #include "engine/PointFormFactor.h"
@@ -186,6 +187,7 @@ NodeTable::NodeTable(const std::vector<Polygon>& list, int order) : first(list.s
     }
     numbers.resize(first.back());
     tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
+        Interrupts::check();
         if (counts[i] > 0) fill(gaussNodes(list[i], order), numbers.data() + first[i]);
     });
 }

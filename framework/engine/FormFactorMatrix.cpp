@@ -7,6 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Interrupts.h"
 #include "base/Memory.h"
 
 namespace radlab::engine {
@@ -23,13 +24,16 @@ void forPairs(std::size_t count, const Visit& visit) {
     constexpr std::size_t tile = 64;
     for (std::size_t top = 0; top < count; top += tile)
         for (std::size_t left = top; left < count; left += tile)
-            for (std::size_t i = top; i < std::min(top + tile, count); ++i)
+            for (std::size_t i = top; i < std::min(top + tile, count); ++i) {
+                Interrupts::check();
                 for (std::size_t j = std::max(left, i + 1); j < std::min(left + tile, count); ++j) visit(i, j);
+            }
 }
 
 std::vector<double> sumsOf(const FormFactorMatrix& matrix, const std::vector<double>& weights) {
     std::vector<double> sums(matrix.size());
     tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+        Interrupts::check();
         const double* row = matrix.row(i);
         double sum = 0.0;
         for (std::size_t j = 0; j < matrix.size(); ++j) sum += weights[j] * row[j];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/Interrupts.h"
 #include "engine/LowDiscrepancy.h"
 #include "engine/PointFormFactor.h"
 #include "engine/Scattering.h"
@@ -22,6 +23,7 @@ FormFactorRows::FormFactorRows(const Geometry& shapes, const FormFactorOptions& 
 }
 
 double FormFactorRows::exchange(std::size_t i, std::size_t j) const {
+    Interrupts::check();
     const std::vector<Polygon>& patches = geometry.patches;
     if (options.method == Method::point) return patches[i].area * pointToPoint(patches[i], patches[j]);
     const double unoccluded = (*exchanges)(i, j);
@@ -45,8 +47,10 @@ void FormFactorRows::byPairs(std::size_t from, double* factors) const {
 
 void FormFactorRows::byPoints(std::size_t from, double* factors) const {
     const Polygon& patch = geometry.patches[from];
-    for (std::size_t j = 0; j < geometry.patches.size(); ++j)
+    for (std::size_t j = 0; j < geometry.patches.size(); ++j) {
+        Interrupts::check();
         if (j != from) factors[j] = pointToPolygon(patch.center, patch.normal, geometry.patches[j]);
+    }
 }
 
 void FormFactorRows::byHemisphere(std::size_t from, double* factors) const {
@@ -54,6 +58,7 @@ void FormFactorRows::byHemisphere(std::size_t from, double* factors) const {
     const AreaSampler sampler(patch);
     const LowDiscrepancy points(from);
     for (std::size_t k = 0; k < options.rays; ++k) {
+        Interrupts::check();
         const auto at = points.at(k);
         follow(sampler.at(at[0], at[1]), cosineDirection(patch.normal, at[2], at[3]), from, factors);
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/Interrupts.h"
+
 namespace radlab::engine {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 std::vector<Polygon> facesOf(const Scene& scene) {
     std::vector<Polygon> faces;
     for (const Face& face : scene.faces) {
+        Interrupts::check();
         std::vector<Point> corners;
         for (const int corner : face.corners) corners.emplace_back(scene.vertices[static_cast<std::size_t>(corner)]);
         faces.emplace_back(std::move(corners));
@@ -46,6 +49,7 @@ Geometry geometryOf(const Scene& scene, const PatchMesh& mesh) {
     Geometry geometry;
     geometry.faces = facesOf(scene);
     for (const MyPolygon& patch : mesh.patches) {
+        Interrupts::check();
         std::vector<Point> corners;
         for (int i = 0; i < patch.vertices; ++i)
             corners.emplace_back(mesh.corners[static_cast<std::size_t>(patch.vertex[i])].position);

@@ -11,6 +11,7 @@
 #endif
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "course/FacePolygon.h"
 
 namespace radlab::engine {
@@ -114,6 +115,7 @@ void Hemicubes::row(std::size_t shooter, double* factors) const {
     if (!(patch.area > 0.0)) return;
     PatchImage& image = images.local();
     for (const RasterView& view : viewsFrom(patch, size)) {
+        Interrupts::check();
         raster.draw(view, static_cast<std::uint32_t>(shooter), image);
         add(image, view.bottom < 0.0, factors);
     }

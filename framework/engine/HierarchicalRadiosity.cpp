@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/Interrupts.h"
 #include "base/Stopwatch.h"
 #include "engine/Links.h"
 
@@ -72,34 +73,41 @@ std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& s
     Links links(tree, {options.occlusion, options.rays, options.tolerance});
     Light light(tree, surfaces);
     std::vector<Point> radiosity = surfaces.emission;
-    std::size_t rounds = 0;
+    HierarchicalReport made;
     SolverOptions solver;
-    solver.tolerance = roughly;
     solver.channels = options.channels;
     solver.indirect = options.indirect;
-    const auto solve = [&](SolverReport* solved = nullptr) {
+    const auto solve = [&](double tolerance) {
+        if (options.progress) options.progress(links.list().size());
         Transport transport = links.transport();
         transport.further = options.further;
-        return solveRadiosity(transport, surfaces, solver, solved);
+        solver.tolerance = tolerance;
+        SolverReport solved;
+        radiosity = solveRadiosity(transport, surfaces, solver, &solved);
+        made.links = links.list().size();
+        made.channels = solved.channels;
+        made.residual = solved.residual;
+        ++made.rounds;
     };
     const auto carriesMuch = [&](const Link& link) { return light.share(link) > options.threshold; };
-    while (links.refine(carriesMuch) && rounds < mostRounds) {
-        ++rounds;
-        if (options.progress) options.progress(links.list().size());
-        radiosity = solve();
-        light.set(radiosity);
-    }
-    SolverReport solved;
-    solver.tolerance = SolverOptions().tolerance;
-    radiosity = solve(&solved);
-    const std::vector<Point>& sent = options.indirect ? radiosity : surfaces.emission;
-    std::vector<Point> arrived = links.gathered(sent);
-    if (options.further) addFurther(options.further, tree, sent, arrived);
-    for (std::size_t i = 0; i < radiosity.size(); ++i) {
-        radiosity[i] = surfaces.emission[i] + surfaces.reflectance[i] * arrived[i];
-        if (options.channels) radiosity[i] = options.channels->spread(radiosity[i]);
-    }
-    if (report) *report = {links.list().size(), links.rays(), rounds + 1, solved.channels, watch.seconds()};
+    made.stopped = !doneWhole([&] {
+        while (links.refine(carriesMuch) && made.rounds < mostRounds) {
+            solve(roughly);
+            light.set(radiosity);
+        }
+        solve(SolverOptions().tolerance);
+        const std::vector<Point>& sent = options.indirect ? radiosity : surfaces.emission;
+        std::vector<Point> arrived = links.gathered(sent);
+        if (options.further) addFurther(options.further, tree, sent, arrived);
+        for (std::size_t i = 0; i < radiosity.size(); ++i) {
+            radiosity[i] = surfaces.emission[i] + surfaces.reflectance[i] * arrived[i];
+            if (options.channels) radiosity[i] = options.channels->spread(radiosity[i]);
+        }
+    });
+    if (made.rounds == 0) throw Interrupted();
+    made.rays = links.rays();
+    made.seconds = watch.seconds();
+    if (report) *report = made;
     return radiosity;
 }
 

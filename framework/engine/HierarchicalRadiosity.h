@@ -23,6 +23,8 @@ struct HierarchicalReport {
     std::size_t rays = 0;
     std::size_t rounds = 0;  ///< of solving, and of refining by what was found
     int channels = 0;        ///< that had to be solved
+    double residual = 0.0;   ///< of the light that the last round found, as in SolverReport
+    bool stopped = false;    ///< by Ctrl-C: the light is that of the last round, and was not gathered once more
     double seconds = 0.0;
 };
 
@@ -33,11 +35,12 @@ struct HierarchicalReport {
 /// refined for the light that is emitted, then for the light that was found, until none is left to refine. What they carry is
 /// reciprocal, so that conjugate gradients solve for the patches' radiosities. In the end each patch gathers once more, with form factors of its
 /// own to the other ends of its clusters' links. With a threshold of 0 the links are all pairs of patches.
+/// Ctrl-C leaves what the last round has found.
 ///
 /// @return W/m² per channel, in the order of the patches; the same bits for any number of threads
 /// @cost   about 20 links a patch at a threshold that suits their number, and memory in proportion; a link between
 ///         every two faces at least
-/// Errors: those of solveRadiosity; more memory than there is.
+/// Errors: those of solveRadiosity; more memory than there is; Interrupted in the first round.
 /// @source [Hanrahan1991]
 std::vector<Point> solveHierarchical(const Geometry& geometry, const Surfaces& surfaces,
                                      const HierarchicalOptions& options = {}, HierarchicalReport* report = nullptr);

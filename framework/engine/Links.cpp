@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Interrupts.h"
 #include "base/Memory.h"
 
 namespace radlab::engine {
@@ -66,13 +67,17 @@ Link Links::measured(const Pair& pair) const {
 
 std::vector<Link> Links::measured(const std::vector<Pair>& pairs) const {
     std::vector<Link> made(pairs.size());
-    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) { made[i] = measured(pairs[i]); });
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+        Interrupts::check();
+        made[i] = measured(pairs[i]);
+    });
     return made;
 }
 
 // Finds the visible share of links that stay.
 void Links::settle(std::vector<Link>& fresh) const {
     tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
+        Interrupts::check();
         if (fresh[i].sight == Sight::partly) fresh[i].share = visibility->visibleShare(fresh[i].a, fresh[i].b);
     });
 }
@@ -91,11 +96,13 @@ bool Links::refine(const std::function<bool(const Link&)>& wantedFiner) {
     bool first = true, any = false;
     while (!current.empty()) {
         std::vector<Pair> pairs;
-        for (const Link& link : current)
+        for (const Link& link : current) {
+            Interrupts::check();
             if (isSplit(link))
                 for (const Pair& half : halves(link)) pairs.push_back(half);
             else if (link.exchange > 0.0)
                 (first ? kept : fresh).push_back(link);
+        }
         any = any || !pairs.empty();
         current = measured(pairs);
         first = false;
@@ -135,6 +142,7 @@ public:
           hiding(sorted.ends.size()) {
         tree.pull(sent);
         tbb::parallel_for(tree.leaves(), tree.size(), [&](std::size_t cluster) {
+            Interrupts::check();
             for (std::size_t k = sorted.first[cluster]; k < sorted.first[cluster + 1]; ++k)
                 if (isPartly(k)) links.visibility->sight(cluster, sorted.ends[k].other, hiding[k]);
         });
@@ -190,6 +198,7 @@ std::vector<Point> Links::gathered(const std::vector<Point>& radiosity) const {
     const Gathering gathering(*this, radiosity);
     std::vector<Point> arrived(tree.leaves(), Point(0.0));
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(tree.leaves()), [&](std::uint32_t patch) {
+        Interrupts::check();
         if (tree.area(patch) > 0.0) arrived[patch] = gathering.arrivingAt(patch);
     });
     return arrived;

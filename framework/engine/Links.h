@@ -36,6 +36,7 @@ public:
     /// Splits links, and those that come out of them, while they are wanted finer and are not between two patches.
     ///
     /// @return whether any was split
+    /// Where Interrupted ends it, no links are left.
     bool refine(const std::function<bool(const Link&)>& wantedFiner);
 
     const std::vector<Link>& list() const { return links; }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/NumberText.h"
 #include "base/WholeFile.h"
 
@@ -19,6 +20,7 @@ void writeCsv(std::ostream& out, const FormFactorMatrix& matrix, const std::stri
     for (std::string line; std::getline(lines, line);) out << "# " << line << '\n';
     std::string text;
     for (std::size_t i = 0; i < matrix.size(); ++i) {
+        Interrupts::check();
         text.clear();
         for (std::size_t j = 0; j < matrix.size(); ++j) {
             if (j > 0) text += ',';
@@ -40,8 +42,10 @@ void writeNpy(std::ostream& out, const FormFactorMatrix& matrix) {
     out.put(static_cast<char>(header.size() & 255)).put(static_cast<char>(header.size() >> 8));
     out << header;
     const std::size_t bytes = matrix.size() * sizeof(double);
-    for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        Interrupts::check();
         out.write(reinterpret_cast<const char*>(matrix.row(i)), static_cast<std::streamsize>(bytes));
+    }
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Interrupts.h"
+
 namespace radlab::engine {
 
 namespace {
@@ -20,6 +22,7 @@ void forAll(std::size_t count, const Progress& progress, const std::function<voi
     std::atomic<std::size_t> done{0};
     std::mutex telling;
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t step) {
+        Interrupts::check();
         work(step);
         const std::size_t now = ++done;
         if (!progress) return;

@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Interrupts.h"
 #include "course/FacePolygon.h"
 
 namespace radlab::engine {
@@ -90,6 +91,7 @@ private:
 
     Built leaf(Index patch) const {
         Built built{{}, geometry.patches[patch].area, patch, false};
+        Interrupts::check();
         for (const Point& corner : geometry.patches[patch].corners) built.outline.push_back(flat(corner));
         return built;
     }
@@ -102,6 +104,7 @@ private:
 
     // Orders the patches so that those on one side of a line of the mesh come first; returns where the others begin.
     std::size_t split(std::size_t begin, std::size_t end) {
+        Interrupts::check();
         glm::dvec2 low(INFINITY), high(-INFINITY);
         for (std::size_t i = begin; i < end; ++i) {
             const glm::dvec2 at = flat(geometry.patches[tree.patches[i]].center);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/Stopwatch.h"
 #include "engine/Gather.h"
 #include "engine/Parallel.h"
@@ -37,27 +38,36 @@ public:
     }
 
     Image paint() {
-        forAllPixels(width, height, {}, [&](int x, int y) {
+        forAllPixels(width, height, options.progress, [&](int x, int y) {
             const Sample first = sample(x, y, 0.5, 0.5, 0);
             faces[index(x, y)] = first.face;
             more[index(x, y)] = first.seen.overLobe;
             image.at(x, y) = glm::vec3(first.seen.radiance);
         });
         if (options.antialiasing == Antialiasing::off || options.samplesPerEdge == 1) return std::move(image);
-        forAllPixels(width, height, {}, [&](int x, int y) {
-            if (options.antialiasing == Antialiasing::everywhere || isEdge(x, y)) more[index(x, y)] = true;
-        });
-        forAllPixels(width, height, {}, [&](int x, int y) {
-            if (!more[index(x, y)]) return;
-            ++sampledMore;
-            image.at(x, y) = glm::vec3(mean(x, y));
-        });
+        stopped = !doneWhole([&] { sampleMore(); });
         return std::move(image);
     }
+
+    bool stopped = false;
 
     std::atomic<std::size_t> sampledMore{0}, gathers{0};
 
 private:
+    void sampleMore() {
+        forAllPixels(width, height, {}, [&](int x, int y) {
+            if (options.antialiasing == Antialiasing::everywhere || isEdge(x, y)) more[index(x, y)] = true;
+        });
+        const Progress further = [&](std::size_t tiles) {
+            if (options.progress) options.progress(tilesOf(width, height) + tiles);
+        };
+        forAllPixels(width, height, further, [&](int x, int y) {
+            if (!more[index(x, y)]) return;
+            image.at(x, y) = glm::vec3(mean(x, y));
+            ++sampledMore;
+        });
+    }
+
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
@@ -79,6 +89,7 @@ private:
     };
 
     Sample sample(int x, int y, double dx, double dy, int number) {
+        Interrupts::check();
         const Point direction = camera.direction(x + dx, y + dy);
         const SurfacePoint first = scene.meet(camera.eye(), direction, RayHit::nothing, Sides::fronts);
         if (first.exists() && !scene.scattering(first.patch).isMatt()) ++gathers;
@@ -117,7 +128,8 @@ Image drawPicture(const TracedScene& scene, const PatchShading& shading, const F
     const std::size_t before = scene.rays();
     Painter painter(scene, shading, frame, options);
     Image image = painter.paint();
-    if (report) *report = {scene.rays() - before, painter.sampledMore, painter.gathers, watch.seconds()};
+    if (report)
+        *report = {scene.rays() - before, painter.sampledMore, painter.gathers, watch.seconds(), painter.stopped};
     return image;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/Image.h"
 #include "engine/CameraRays.h"
+#include "engine/Parallel.h"
 #include "engine/PatchShading.h"
 #include "engine/TracedScene.h"
 
@@ -19,6 +20,8 @@ struct PictureOptions {
     Antialiasing antialiasing = Antialiasing::adaptive;
     int samplesPerEdge = 4;  ///< of a pixel that takes more than one ray: the square of it in all; 1 or more
     int lobeSamples = 16;    ///< rays that each sample spreads over a specular lobe that the camera sees; 1 or more
+    Progress progress =
+        {};  ///< counts tiles, and once more those that are gone through again for pixels that take more rays
 };
 
 /// What a picture took.
@@ -27,6 +30,7 @@ struct PictureReport {
     std::size_t sampledMore = 0;  ///< pixels that took more than one ray
     std::size_t gathers = 0;      ///< samples that meet a specular or transparent material first; 0 where none is seen
     double seconds = 0.0;
+    bool stopped = false;  ///< by Ctrl-C: some pixels that were chosen took one ray all the same
 };
 
 /// The picture of a solved scene, by rays from the camera.
@@ -40,9 +44,12 @@ struct PictureReport {
 /// Every pixel takes a ray through its centre first; those that `antialiasing` chooses take a grid of rays instead, no
 /// two of them in one column or row.
 ///
+/// Ctrl-C leaves a picture whose pixels all have one ray at least.
+///
 /// @return linear radiance, width x height; the same to the bit for any number of threads
 /// @cost   a ray a pixel and the square of samplesPerEdge for those that are chosen, on all cores; more where light is
 ///         gathered
+/// Errors: Interrupted where some pixel has none.
 /// @source [Whitted1980] following mirrors, sampling pixels more where they differ; [Chiu1994] the grid
 Image drawPicture(const TracedScene& scene, const PatchShading& shading, const Frame& frame,
                   const PictureOptions& options = {}, PictureReport* report = nullptr);

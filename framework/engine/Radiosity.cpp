@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <list>
 
 #include <tbb/parallel_for.h>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 
 namespace radlab::engine {
 
@@ -21,6 +23,7 @@ double dot(const Values& a, const Values& b) {
 }
 
 Values exchanged(const Transport& transport, const Values& x) {
+    Interrupts::check();
     Values result(x.size());
     transport.exchange(x, result);
     return result;
@@ -47,15 +50,17 @@ Values exchanged(const Transport& transport, const Values& x) {
 // The symmetric system of one channel.
 class System {
 public:
-    System(const Transport& light, const Values& reflectance) : transport(light), scale(reflectance.size()) {
+    System(Transport exchanged, const Values& reflectance) : light(std::move(exchanged)), scale(reflectance.size()) {
         for (std::size_t i = 0; i < scale.size(); ++i) {
-            const double area = transport.areas[i];
+            const double area = light.areas[i];
             scale[i] = area > 0.0 ? std::sqrt(reflectance[i] / area) : 0.0;
         }
     }
 
     // √(ρ/A)·S·x
-    Values reflected(const Values& x) const { return scaled(exchanged(transport, x)); }
+    Values reflected(const Values& x) const { return scaled(exchanged(light, x)); }
+
+    const Transport& transport() const { return light; }
 
     Values scaled(Values y) const {
         for (std::size_t i = 0; i < y.size(); ++i) y[i] *= scale[i];
@@ -70,7 +75,7 @@ public:
     }
 
 private:
-    const Transport& transport;
+    Transport light;
     Values scale;
 };
 
@@ -100,30 +105,36 @@ bool isDark(const Values& values) {
     return std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; });
 }
 
-struct Solved {
-    Values radiosity;
-    std::size_t iterations;
-    double residual;
-};
-
-Solved solveChannel(const Transport& transport, const Values& emission, const Values& reflectance,
-                    const SolverOptions& options) {
-    if (isDark(reflectance)) return {emission, 0, 0.0};
-    const System system(transport, reflectance);
-    Values y(emission.size()), residual = system.reflected(emission), direction = residual;
-    const double wanted = options.tolerance * std::sqrt(dot(residual, residual));
-    double square = dot(residual, residual);
-    std::size_t iterations = 0;
-    if (!options.indirect) {
+// Conjugate gradients for one channel; what there is after any iteration is a solution, as good as its residual.
+class ChannelSolver {
+public:
+    ChannelSolver(int number, const Transport& light, const Surfaces& surfaces, const SolverOptions& options)
+        : channel(number),
+          emission(channelOf(surfaces.emission, channel)),
+          reflectance(channelOf(surfaces.reflectance, channel)),
+          system(light, reflectance),
+          y(emission.size()),
+          mostIterations(options.mostIterations) {
+        if (isDark(reflectance)) return;
+        residual = direction = system.reflected(emission);
+        square = dot(residual, residual);
+        first = std::sqrt(square);
+        wanted = options.tolerance * first;
+        if (options.indirect) return;
         y = residual;
         square = 0.0;
     }
-    for (; std::sqrt(square) > wanted; ++iterations) {
-        if (iterations == options.mostIterations) refuse(transport, reflectance, "the light did not settle");
+
+    bool isDone() const { return !(std::sqrt(square) > wanted); }
+    std::size_t iterations() const { return count; }
+    double relativeResidual() const { return first > 0.0 ? std::sqrt(square) / first : 0.0; }
+
+    void iterate() {
+        if (count == mostIterations) refuse(system.transport(), reflectance, "the light did not settle");
         const Values applied = system.apply(direction);
         const double curvature = dot(direction, applied);
         if (!(curvature > 1e-14 * dot(direction, direction)))
-            refuse(transport, reflectance, "the light in this scene never ends");
+            refuse(system.transport(), reflectance, "the light in this scene never ends");
         const double step = square / curvature;
         for (std::size_t i = 0; i < y.size(); ++i) {
             y[i] += step * direction[i];
@@ -132,10 +143,37 @@ Solved solveChannel(const Transport& transport, const Values& emission, const Va
         const double next = dot(residual, residual);
         for (std::size_t i = 0; i < y.size(); ++i) direction[i] = residual[i] + next / square * direction[i];
         square = next;
+        ++count;
     }
-    Solved solved{system.scaled(y), iterations, wanted > 0.0 ? std::sqrt(square) / wanted * options.tolerance : 0.0};
-    for (std::size_t i = 0; i < y.size(); ++i) solved.radiosity[i] += emission[i];
-    return solved;
+
+    Values radiosity() const {
+        Values all = system.scaled(y);
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] += emission[i];
+        return all;
+    }
+
+    const int channel;
+
+private:
+    const Values emission, reflectance;
+    const System system;
+    Values y, residual, direction;
+    double square = 0.0, first = 0.0, wanted = 0.0;
+    std::size_t count = 0, mostIterations;
+};
+
+// All channels by turns, so that those of a solution that is cut short are about equally good.
+bool solvedByTurns(std::list<ChannelSolver>& solvers) {
+    return doneWhole([&] {
+        for (bool any = true; any;) {
+            any = false;
+            for (ChannelSolver& one : solvers) {
+                if (one.isDone()) continue;
+                one.iterate();
+                any = true;
+            }
+        }
+    });
 }
 
 }  // namespace
@@ -158,6 +196,7 @@ std::vector<double> channelOf(const std::vector<Point>& colors, int channel) {
 Transport transportOf(const FormFactorMatrix& matrix) {
     return {matrix.areas(), [&matrix](const Values& x, Values& result) {
                 tbb::parallel_for(std::size_t{0}, matrix.size(), [&](std::size_t i) {
+                    Interrupts::check();
                     const double* row = matrix.row(i);
                     double sum = 0.0;
                     for (std::size_t j = 0; j < matrix.size(); ++j) sum += row[j] * x[j];
@@ -171,18 +210,24 @@ std::vector<Point> solveRadiosity(const Transport& transport, const Surfaces& su
     RADLAB_CHECK(surfaces.emission.size() == transport.areas.size());
     RADLAB_CHECK(surfaces.reflectance.size() == transport.areas.size());
     requireReciprocal(transport);
-    std::vector<Point> radiosity(transport.areas.size(), Point(0.0));
-    SolverReport made;
     const Channels channels = options.channels.value_or(channelsOf(surfaces.emission, surfaces.reflectance));
+    std::list<ChannelSolver> solvers;
     for (int channel = 0; channel < 3; ++channel) {
         if (!channels.solved(channel)) continue;
         const Transport light = inChannel(transport, channel);
         if (transport.further) requireReciprocal(light);
-        const Solved solved = solveChannel(light, channelOf(surfaces.emission, channel),
-                                           channelOf(surfaces.reflectance, channel), options);
-        for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i][channel] = solved.radiosity[i];
-        made = {made.channels + 1, std::max(made.iterations, solved.iterations),
-                std::max(made.residual, solved.residual)};
+        solvers.emplace_back(channel, light, surfaces, options);
+    }
+    SolverReport made;
+    made.stopped = !solvedByTurns(solvers);
+    std::vector<Point> radiosity(transport.areas.size(), Point(0.0));
+    for (const ChannelSolver& one : solvers) {
+        if (!one.isDone() && one.iterations() == 0) throw Interrupted();
+        const Values solved = one.radiosity();
+        for (std::size_t i = 0; i < radiosity.size(); ++i) radiosity[i][one.channel] = solved[i];
+        ++made.channels;
+        made.iterations = std::max(made.iterations, one.iterations());
+        made.residual = std::max(made.residual, one.relativeResidual());
     }
     for (Point& b : radiosity) b = channels.spread(b);
     if (report) *report = made;

@@ -56,18 +56,19 @@ struct SolverReport {
     int channels = 0;            ///< that had to be solved; the others are dark, or multiples of these
     std::size_t iterations = 0;  ///< of the channel that took most
     double residual = 0.0;       ///< the largest that is left, relative as the tolerance is
+    bool stopped = false;        ///< by Ctrl-C, with a residual above the tolerance
 };
 
 /// The radiosity of every patch: B = E + ρ·F·B.
 ///
 /// Solves for the reflected part by conjugate gradients, on the system that reciprocity makes symmetric: with
 /// S = A·F, y = √(A/ρ)·(B - E) obeys y - √(ρ/A)·S·√(ρ/A)·y = √(ρ/A)·S·E. Black patches drop out by themselves. A channel
-/// that is dark or a multiple of another one is not solved (channelsOf).
+/// that is dark or a multiple of another one is not solved (channelsOf). Ctrl-C leaves what the iterations so far have found.
 ///
 /// @return W/m² per channel, >= 0 up to the tolerance, in the order of the patches
 /// @cost   each iteration is one exchange, 13 to 15 of them at ρ = 0.99; the same bits for any number of threads
 /// Errors: an exchange that is not reciprocal (makeReciprocal); reflectances so near 1 in a scene so closed, or rows that add up to so much above 1, that light never ends: told with
-///         the patch; no convergence within mostIterations.
+///         the patch; no convergence within mostIterations; Interrupted before the first iteration.
 /// @source [CohenWallace1993, chapter 5] the system
 std::vector<Point> solveRadiosity(const Transport& transport, const Surfaces& surfaces,
                                   const SolverOptions& options = {}, SolverReport* report = nullptr);

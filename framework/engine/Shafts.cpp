@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Interrupts.h"
 #include "engine/Triangles.h"
 
 namespace radlab::engine {
@@ -45,6 +46,7 @@ Shafts::Shafts(const Geometry& shapes) : geometry(shapes) {
     tolerance = relativeTolerance * glm::length(whole.high - whole.low);
     std::vector<bool> opaque;
     for (std::size_t i = 0; i < count; ++i) {
+        Interrupts::check();
         blockers.push_back(
             blockersOf(geometry.faces[i], tolerance, geometry.through.empty() ? 0.0 : geometry.through[i]));
         opaque.push_back(!blockers[i].empty() && isOpaque(i));
@@ -52,7 +54,10 @@ Shafts::Shafts(const Geometry& shapes) : geometry(shapes) {
     tree = BoxTree(faceBoxes);
     edges = FaceEdges(geometry.faces, opaque);
     cut.resize(geometry.patches.size());
-    tbb::parallel_for(std::size_t{0}, cut.size(), [&](std::size_t patch) { cut[patch] = isCut(patch); });
+    tbb::parallel_for(std::size_t{0}, cut.size(), [&](std::size_t patch) {
+        Interrupts::check();
+        cut[patch] = isCut(patch);
+    });
 }
 
 bool Shafts::isCut(std::size_t patch) const {

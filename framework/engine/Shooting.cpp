@@ -83,10 +83,6 @@ private:
     bool indirect;
 };
 
-bool goesOn(const ShootingOptions& options, std::size_t shots, double unshot) {
-    return !options.progress || doneWhole([&] { options.progress(shots, unshot); });
-}
-
 }  // namespace
 
 std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfaces& surfaces, const RowFunction& row,
@@ -97,9 +93,7 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
     std::vector<std::vector<double>> rows(atOnce, std::vector<double>(areas.size()));
     std::size_t shots = 0;
     double left = shooter.emitted;
-    while (left > options.unshot * shooter.emitted && shots < options.mostShots) {
-        const std::vector<std::size_t> turn = shooter.brightest(std::min(atOnce, options.mostShots - shots));
-        if (turn.empty()) break;
+    const auto takeTurn = [&](const std::vector<std::size_t>& turn) {
         tbb::parallel_for(std::size_t{0}, turn.size(), [&](std::size_t k) { row(turn[k], rows[k].data()); });
         for (std::size_t k = 0; k < turn.size(); ++k)
             shooter.shoot(turn[k], rows[k], options.further ? options.further(turn[k]) : std::vector<PatchExchange>());
@@ -109,8 +103,17 @@ std::vector<Point> shootRadiosity(const std::vector<double>& areas, const Surfac
             throw Error(
                 "the light grows from shot to shot, since form factors add up to more than 1: expected smaller "
                 "patches, smaller reflectances, or another method");
-        if (!goesOn(options, shots, left / shooter.emitted)) break;
-    }
+    };
+    const bool whole = doneWhole([&] {
+        while (left > options.unshot * shooter.emitted && shots < options.mostShots) {
+            Interrupts::check();
+            const std::vector<std::size_t> turn = shooter.brightest(std::min(atOnce, options.mostShots - shots));
+            if (turn.empty()) break;
+            takeTurn(turn);
+            if (options.progress) options.progress(shots, left / shooter.emitted);
+        }
+    });
+    if (!whole && shots == 0) throw Interrupted();
     const double share = shooter.emitted > 0.0 ? left / shooter.emitted : 0.0;
     if (report) *report = {shots, share, shooter.ambient(), watch.seconds()};
     return shooter.radiosity;

@@ -24,13 +24,15 @@ struct AccurateSolution {
     double error =
         0.0;  ///< estimated, both together with a margin; the solver's alone where the patches' size was given
     bool reached = false;  ///< whether that is at most what was asked for
+    bool stopped = false;  ///< by Ctrl-C: this is the last try that was finished
     double seconds = 0.0;  ///< with all that was tried and estimated
 };
 
 struct ErrorGoal {
     double error = 0.01;     ///< RMS of the error over RMS of the radiosity, both weighted by area; 1e-4 to 1
     double patchSize = 0.0;  ///< 0: chosen, too
-    std::function<void(const std::string& what)> progress;  ///< told what is being done
+    std::function<void(double tries, const std::string& what)>
+        progress;  ///< told how many tries are done, and what is being done
 };
 
 /// Solves a scene to an accuracy, by the cheapest way and on the coarsest mesh that reach it.
@@ -41,7 +43,7 @@ struct ErrorGoal {
 ///
 /// @return the last solution tried, mostTries at most
 /// @cost   a few solutions, and estimates that cost as much as a coarse one
-/// Errors: those of the Mesher and the solvers.
+/// Errors: those of the Mesher and the solvers; Interrupted before the first try is finished.
 AccurateSolution solveToError(const Scene& scene, const Effects& effects, const ErrorGoal& goal);
 
 }  // namespace radlab::engine

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/Interrupts.h"
 #include "engine/LowDiscrepancy.h"
 #include "engine/TracedScene.h"
 
@@ -58,6 +59,7 @@ std::vector<Arrival> arrivalsFrom(std::size_t patch, const TracedScene& scene, s
     const LowDiscrepancy points(key);
     std::vector<Arrival> found;
     for (std::size_t k = 0; k < rays; ++k) {
+        Interrupts::check();
         const auto at = points.at(k);
         SpecularWalk(scene, key, k, found)
             .follow({patch, sampler.at(at[0], at[1]), true}, cosineDirection(shape.normal, at[2], at[3]));
@@ -119,6 +121,7 @@ SpecularTransport::Row SpecularTransport::merged(const Row& sent, const Row& rec
 void SpecularTransport::makeReciprocal(const std::vector<double>& raysByArea) {
     const std::vector<Row> columns = transposed(rows);
     tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+        Interrupts::check();
         rows[i] = merged(rows[i], columns[i]);
         for (Entry& entry : rows[i])
             for (float& exchange : entry.exchange)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/Interrupts.h"
 #include "engine/LowDiscrepancy.h"
 
 namespace radlab::engine {
@@ -65,6 +66,7 @@ double Visibility::shareByRays(std::size_t first, std::size_t second, std::size_
     double all = 0.0, visible = 0.0;
     std::size_t cast = 0;
     for (std::size_t k = 0; k < 4 * most && cast < most; ++k) {
+        Interrupts::check();
         const auto at = points.at(k);
         const Point from = samplers[first].at(at[0], at[1]), to = samplers[second].at(at[2], at[3]);
         const Point line = to - from;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/Interrupts.h"
 #include "engine/ExchangeArea.h"
 #include "engine/PointFormFactor.h"
 
@@ -36,6 +37,7 @@ std::optional<WorstPair> worstPair(const Geometry& geometry, Method method) {
     const std::size_t step = std::max<std::size_t>(1, patches.size() / mostRows);
     WorstPair worst;
     for (std::size_t i = 0; i < patches.size(); i += step) {
+        Interrupts::check();
         const std::size_t j = nearestOf(patches, i);
         if (j == i || !(patches[i].area > 0.0)) continue;
         const double found = method == Method::point ? pointToPoint(patches[i], patches[j])

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/Interrupts.h"
 #include "course/FacePolygon.h"
 
 namespace radlab {
@@ -129,6 +130,7 @@ public:
         std::iota(order.begin(), order.end(), 0u);
         for (std::size_t i = 0; i < order.size(); ++i)
             for (const int corner : scene.faces[i].corners) {
+                Interrupts::check();
                 const Vec3f& at = scene.vertices[static_cast<std::size_t>(corner)];
                 boxes[i].add({at, at});
                 for (int axis = 0; axis < 3; ++axis)
@@ -155,6 +157,7 @@ private:
     };
 
     void build(const Node& node) {
+        Interrupts::check();
         if (boxOf.size() <= node.index) boxOf.resize(node.index + 1);
         Box box;
         for (std::size_t k = node.begin; k < node.end; ++k) box.add(boxes[order[k]]);
@@ -204,6 +207,7 @@ private:
     }
 
     bool spend(std::size_t some) {
+        Interrupts::check();
         steps = some < steps ? steps - some : 0;
         return steps > 0;
     }

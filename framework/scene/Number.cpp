@@ -8,6 +8,8 @@
 #include <locale>
 #include <sstream>
 
+#include "base/Interrupts.h"
+
 namespace radlab {
 
 namespace {
@@ -96,6 +98,7 @@ std::optional<int> parseWhole(std::string_view text) {
 std::vector<std::string_view> splitList(std::string_view text) {
     std::vector<std::string_view> pieces;
     for (std::size_t at = 0; at < text.size();) {
+        Interrupts::check();
         std::size_t end = at;
         while (end < text.size() && !isSeparator(text[end])) ++end;
         if (end > at) pieces.push_back(text.substr(at, end - at));

@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include "base/Interrupts.h"
+
 namespace radlab {
 
 namespace {
@@ -175,6 +177,7 @@ private:
 Occlusion findOcclusion(const Scene& scene) {
     Prover prover(scene);
     for (const Face& face : scene.faces) {
+        Interrupts::check();
         const auto plane = planeOf(scene, face);
         const Corner* hidden = plane ? prover.findHidden(face, *plane) : nullptr;
         if (hidden)

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/Interrupts.h"
+
 namespace radlab {
 
 namespace {
@@ -15,6 +17,7 @@ std::vector<FaceCorners> cutAtSeparators(const std::vector<int>& indices) {
     std::vector<FaceCorners> faces;
     FaceCorners face;
     for (int index : indices) {
+        Interrupts::check();
         if (index == -1)
             faces.push_back(std::exchange(face, {}));
         else
@@ -81,6 +84,7 @@ X3dGeometry readGeometry(const X3dNode& node, std::shared_ptr<const X3dPoints> p
     const bool clockwise = !node.flag("ccw", true);
     std::size_t number = 0;
     for (FaceCorners& face : readFaces(node)) {
+        Interrupts::check();
         checkFace(node, face, ++number, geometry.points->size());
         mergeRepeatedCorners(face);
         if (face.size() < 3) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/Interrupts.h"
 #include "scene/Number.h"
 #include "scene/XmlDocument.h"
 #include "scene/XmlText.h"
@@ -41,7 +42,10 @@ std::vector<double> X3dNode::numbers(const char* field) const {
     const auto tokens = splitList(text(field));
     std::vector<double> values;
     values.reserve(tokens.size());
-    for (std::string_view token : tokens) values.push_back(finiteNumber(*this, field, token));
+    for (std::string_view token : tokens) {
+        Interrupts::check();
+        values.push_back(finiteNumber(*this, field, token));
+    }
     return values;
 }
 
@@ -88,6 +92,7 @@ std::vector<int> X3dNode::wholes(const char* field) const {
     std::vector<int> values;
     values.reserve(tokens.size());
     for (std::string_view token : tokens) {
+        Interrupts::check();
         const auto value = parseWhole(token);
         if (!value) fail(std::string(field) + " holds what is no whole number, found " + inQuotes(token));
         values.push_back(*value);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/Interrupts.h"
 #include "scene/Number.h"
 #include "scene/X3dMaterial.h"
 #include "scene/X3dViewpoint.h"
@@ -44,6 +45,7 @@ Scene X3dSceneBuilder::build(const X3dNode& root) {
 template <class Visit>
 void X3dSceneBuilder::eachChild(const X3dNode& node, Visit visit) {
     for (auto child = node.element()->FirstChild(); child; child = child->NextSibling()) {
+        Interrupts::check();
         if (++nodes > limits.nodes) failOverLimit(node, limits.nodes, "nodes");
         const auto element = child->ToElement();
         if (element && isWalked(localName(element->Name()))) visit(survey.resolve(X3dNode(*element, node.fileName())));
@@ -124,6 +126,7 @@ void X3dSceneBuilder::addFaces(const X3dNode& shape, const Placement& placement,
     }
     corners += geometry.corners;
     for (const auto& local : geometry.faces) {
+        Interrupts::check();
         Face face{local, material, geometry.twoSided, geometry.where, geometry.creaseAngle};
         for (int& corner : face.corners) corner += first;
         // Seen in a mirror, counter-clockwise is clockwise.

@@ -1,5 +1,6 @@
 #include "scene/X3dSurvey.h"
 
+#include "base/Interrupts.h"
 #include "scene/XmlText.h"
 
 namespace radlab {
@@ -66,6 +67,7 @@ void X3dSurvey::visit(const X3dNode& node, X3dKind kind, bool isRead, int depth)
 }
 
 void X3dSurvey::visitChild(const X3dNode& child, X3dKind parent, bool isRead, int depth) {
+    Interrupts::check();
     const X3dKind kind = kindOf(child.name());
     // The names in a prototype are its own.
     const bool isPrototype = child.name() == "ProtoDeclare" || child.name() == "ExternProtoDeclare";

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 
 namespace radlab {
 
@@ -104,6 +105,7 @@ std::string readTextFile(const std::filesystem::path& file) {
 
 void checkText(std::string_view text, const std::string& fileName) {
     for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
+        Interrupts::check();
         const unsigned byte = byteAt(text, at);
         length = utf8Length(text, at);
         if (length > 0 && !isControl(byte)) continue;

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "engine/FormFactorRows.h"
 #include "engine/FormFactors.h"
 #include "engine/HierarchicalRadiosity.h"
@@ -82,7 +83,8 @@ std::function<Outcome(StudyMesh&, double)> byPaths(bool constantPatches) {
 Outcome byCourse(StudyMesh& mesh, FormFactorMethod method, int hemicubeSize, const Limits& limits) {
     Progressive solver(mesh.mesh, formFactorsBy(method, hemicubeSize));
     Outcome outcome;
-    outcome.shots = static_cast<std::size_t>(solver.run(limits).shots);
+    outcome.shots = static_cast<std::size_t>(
+        solver.run(limits, [](const radlab::Progress&) { return !Interrupts::caught(); }).shots);
     for (const MyPolygon& patch : mesh.mesh.patches) outcome.radiosity.emplace_back(patch.rad);
     return outcome;
 }

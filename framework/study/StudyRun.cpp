@@ -63,7 +63,7 @@ public:
             }
             const Measurement row = rowFor(steps[i]);
             bar.show(static_cast<double>(i), std::to_string(row.wanted) + " patches: " + nameOf(row));
-            if (isAffordable(steps[i], row)) tryToMeasure(steps[i], row);
+            if (isAffordable(steps[i], row) && !doneWhole([&] { tryToMeasure(steps[i], row); })) break;
         }
         return std::move(report);
     }
@@ -179,6 +179,7 @@ private:
                                                                 : outcome.radiosity);
             row.wholeReference = subject.light().error();
         }
+        Interrupts::check();  // or what was measured may have been cut short
         if (hasMap(step)) draw(subject, row, outcome);
     }
 

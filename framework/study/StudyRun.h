@@ -18,7 +18,7 @@ struct SceneReport {
 
 /// Measures what is not in the results yet, setting by setting, and writes pictures beside them.
 ///
-/// Once Interrupts has caught something, the setting at hand is the last.
+/// Once Interrupts has caught something, the setting at hand is dropped and no other begun.
 ///
 /// @param folder  where pictures go
 /// @param openGl  whether a GlContext is current, for the methods that need it

@@ -1,12 +1,12 @@
 #include "grader/apps/Watch.h"
 
 #include <chrono>
-#include <csignal>
 #include <ctime>
 #include <iostream>
 #include <optional>
 #include <thread>
 
+#include "base/Interrupts.h"
 #include "base/WholeFile.h"
 #include "grader/apps/CompileReport.h"
 #include "grader/sandbox/Process.h"
@@ -18,8 +18,6 @@ namespace {
 constexpr std::chrono::milliseconds pollTime(150);
 constexpr int quietPolls = 2;  // editors write a file in several steps
 
-volatile std::sig_atomic_t stopped = 0;
-
 std::optional<std::string> textOf(const std::filesystem::path& file) {
     try {
         return readFile(file);
@@ -28,16 +26,16 @@ std::optional<std::string> textOf(const std::filesystem::path& file) {
     }
 }
 
-// The text of the file once it is another than before and stays so for a moment; nothing after Ctrl-C.
-std::optional<std::string> nextText(const std::filesystem::path& file, const std::optional<std::string>& before) {
+// The text of the file once it is another than before and stays so for a moment.
+std::string nextText(const std::filesystem::path& file, const std::optional<std::string>& before) {
     std::optional<std::string> last = before;
-    for (int quiet = 0; !stopped; std::this_thread::sleep_for(pollTime)) {
+    for (int quiet = 0;; std::this_thread::sleep_for(pollTime)) {
+        Interrupts::check();
         const std::optional<std::string> now = textOf(file);
         quiet = now && now == last ? quiet + 1 : 0;
         last = now;
-        if (quiet >= quietPolls && now != before) return now;
+        if (quiet >= quietPolls && now != before) return *now;
     }
-    return std::nullopt;
 }
 
 void announce(const std::string& what, bool color) {
@@ -70,19 +68,16 @@ Result judgeFrom(const FileChecker& checker, std::string& open) {
     }
 }
 
-}  // namespace
-
-int watch(const FileChecker& checker, const ReportOptions& options) {
-    std::signal(SIGINT, [](int) { stopped = 1; });
-    std::cout << "watching " << std::filesystem::proximate(checker.file()).string() << "; Ctrl-C ends it" << std::endl;
+void judgeUntilRight(const FileChecker& checker, const ReportOptions& options) {
     std::string open = checker.manifest().stages.front().stage, verdict;
-    for (std::optional<std::string> text; (text = nextText(checker.file(), text));) {
+    for (std::optional<std::string> text;;) {
+        text = nextText(checker.file(), text);
         try {
             const Result result = judgeFrom(checker, open);
             verdict = terminalReport(result, options);
             announce("judged", options.color);
             std::cout << verdict << std::flush;
-            if (exitCode(result) == 0 && result.stages.size() == checker.manifest().stages.size()) return 0;
+            if (exitCode(result) == 0 && result.stages.size() == checker.manifest().stages.size()) return;
         } catch (const CompileError& error) {
             announce("does not compile", options.color);
             std::cout << compileReport(error.what(), checker.file()) << afterLast(verdict) << std::flush;
@@ -91,7 +86,15 @@ int watch(const FileChecker& checker, const ReportOptions& options) {
             std::cout << error.what() << '\n' << afterLast(verdict) << std::flush;
         }
     }
-    return 0;
+}
+
+}  // namespace
+
+int watch(const FileChecker& checker, const ReportOptions& options) {
+    std::cout << "watching " << std::filesystem::proximate(checker.file()).string() << "; Ctrl-C ends it" << std::endl;
+    if (doneWhole([&] { judgeUntilRight(checker, options); })) return 0;
+    std::cout << "stopped by Ctrl-C" << std::endl;
+    return 130;
 }
 
 }  // namespace radlab::grader

@@ -9,7 +9,8 @@ namespace radlab::grader {
 ///
 /// The file is read over and over, so it works on network drives and under WSL, too. A compile error is shown with its line,
 /// and under it the last verdict again.
-/// @return an exit code
+/// @return an exit code: 0 where all is right, 130 after Ctrl-C
+/// @pre    there is an Interrupts
 int watch(const FileChecker& checker, const ReportOptions& options);
 
 }  // namespace radlab::grader

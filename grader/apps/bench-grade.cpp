@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -16,6 +17,7 @@
 
 #include "apps/CommandLine.h"
 #include "base/Error.h"
+#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/Stopwatch.h"
 #include "base/WholeFile.h"
@@ -58,16 +60,46 @@ void writeClass(const fs::path& folder, std::size_t count) {
     }
 }
 
-pid_t startGrading(const fs::path& folder, const fs::path& out, const Flags& flags) {
-    const pid_t process = fork();
-    if (process != 0) return process;
-    std::freopen("/dev/null", "w", stdout);
-    std::freopen("/dev/null", "w", stderr);
-    const std::string jobs = std::to_string(flags.jobs);
-    execl(RADLAB_GRADE_PROGRAM, RADLAB_GRADE_PROGRAM, folder.c_str(), "--out", out.c_str(), "--jobs", jobs.c_str(),
-          static_cast<char*>(nullptr));
-    _exit(127);
-}
+// The program grade at work, without a word; asked to stop when this goes.
+class Grade {
+public:
+    Grade(const fs::path& folder, const fs::path& out, const Flags& flags) : number(fork()) {
+        if (number != 0) return;
+        std::freopen("/dev/null", "w", stdout);
+        std::freopen("/dev/null", "w", stderr);
+        const std::string jobs = std::to_string(flags.jobs);
+        execl(RADLAB_GRADE_PROGRAM, RADLAB_GRADE_PROGRAM, folder.c_str(), "--out", out.c_str(), "--jobs", jobs.c_str(),
+              static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    ~Grade() { end(SIGTERM); }
+    Grade(const Grade&) = delete;
+    Grade& operator=(const Grade&) = delete;
+
+    pid_t process() const { return number; }
+
+    void end(int signal) {
+        if (code) return;
+        kill(number, signal);
+        int status = 0;
+        waitpid(number, &status, 0);
+        code = codeOf(status);
+    }
+
+    // Its exit code once it has ended.
+    std::optional<int> ended() {
+        radlab::Interrupts::check();
+        int status = 0;
+        if (!code && waitpid(number, &status, WNOHANG) == number) code = codeOf(status);
+        return code;
+    }
+
+private:
+    static int codeOf(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
+
+    pid_t number;
+    std::optional<int> code;
+};
 
 double mebibytesOf(pid_t process) {
     std::ifstream file("/proc/" + std::to_string(process) + "/status");
@@ -86,31 +118,23 @@ std::size_t gradedIn(const fs::path& out) {
     }
 }
 
-bool hasEnded(pid_t process, int& code) {
-    int status = 0;
-    if (waitpid(process, &status, WNOHANG) != process) return false;
-    code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return true;
-}
-
 void measureRate(const Flags& flags) {
     const TemporaryFolder place;
     writeClass(place.path() / "class", flags.submissions);
     const radlab::Stopwatch watch;
-    const pid_t process = startGrading(place.path() / "class", place.path() / "out", flags);
+    Grade grade(place.path() / "class", place.path() / "out", flags);
     radlab::ProgressBar bar("grading", static_cast<double>(flags.submissions), "submissions");
     double firstTenth = 0.0, most = 0.0, gradingSeconds = 0.0;
-    int code = 0;
-    while (!hasEnded(process, code)) {
+    while (!grade.ended()) {
         const std::size_t done = gradedIn(place.path() / "out");
-        const double memory = mebibytesOf(process);
+        const double memory = mebibytesOf(grade.process());
         if (done < flags.submissions) gradingSeconds = watch.seconds();
         if (done * 10 <= flags.submissions) firstTenth = std::max(firstTenth, memory);
         most = std::max(most, memory);
         bar.show(static_cast<double>(done));
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
     }
-    if (code != 0) throw radlab::Error("grade ended with exit code " + std::to_string(code));
+    if (grade.ended() != 0) throw radlab::Error("grade ended with exit code " + std::to_string(*grade.ended()));
     std::printf("%zu submissions: %.1f s, %.1f a minute; with their pages %.1f s\n", flags.submissions, gradingSeconds,
                 60.0 * static_cast<double>(flags.submissions) / gradingSeconds, watch.seconds());
     std::printf("memory of the judge: %.1f MiB in the first tenth, %.1f MiB at most\n", firstTenth, most);
@@ -124,25 +148,23 @@ void measureKills(const Flags& flags) {
     std::mt19937_64 random(flags.seed);
     std::size_t before = 0, lost = 0, killed = 0;
     radlab::ProgressBar bar("killing", flags.kills, "kills");
-    int code = 0;
     while (killed < flags.kills) {
-        const pid_t process = startGrading(place.path() / "class", out, flags);
+        Grade grade(place.path() / "class", out, flags);
         std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution<int>(0, 6000)(random)));
-        if (hasEnded(process, code)) break;
-        kill(process, SIGKILL);
-        waitpid(process, nullptr, 0);
+        if (grade.ended()) break;
+        grade.end(SIGKILL);
         bar.show(static_cast<double>(++killed));
         const std::size_t now = gradedIn(out);
         lost += now < before ? before - now : 0;
         before = now;
     }
-    const pid_t process = startGrading(place.path() / "class", out, flags);
-    while (!hasEnded(process, code)) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    Grade grade(place.path() / "class", out, flags);
+    while (!grade.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     const SQLite::Database store(out / "grades.db");
     SQLite::Statement check(store, "PRAGMA integrity_check");
     check.executeStep();
     std::printf("%zu kills: %zu marks lost, %zu of %zu submissions graded, store: %s, exit code %d\n", killed, lost,
-                gradedIn(out), flags.submissions, check.getColumn(0).getText(), code);
+                gradedIn(out), flags.submissions, check.getColumn(0).getText(), *grade.ended());
 }
 
 }  // namespace
@@ -156,6 +178,7 @@ int main(int argc, char** argv) {
     app.add_option("--seed", flags.seed, "Of the moments of the kills")->capture_default_str();
     app.footer("The attacks: ./radlab grade --self-test");
     return radlab::runCommandLine(app, argc, argv, [&] {
+        const radlab::Interrupts interrupts;
         if (flags.kills)
             measureKills(flags);
         else

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/CommandLine.h"
+#include "base/Interrupts.h"
 #include "base/ProgressBar.h"
 #include "base/WholeFile.h"
 #include "grader/judge/Judge.h"
@@ -206,6 +207,7 @@ int main(int argc, char** argv) {
     flags.add_option("--seed", settings.firstSeed, "The first seed");
     flags.add_flag("--list", settings.list, "Tell every verdict, not only those that are not as they should be");
     return radlab::runCommandLine(flags, argc, argv, [&] {
+        const radlab::Interrupts interrupts;
         Proof proof(settings);
         proof.run();
         return proof.print() ? 0 : 1;

@@ -5,6 +5,7 @@
 
 #include "apps/CommandLine.h"
 #include "base/Heap.h"
+#include "base/Interrupts.h"
 #include "base/WholeFile.h"
 #include "grader/apps/CheckFile.h"
 #include "grader/apps/CheckReports.h"
@@ -45,7 +46,8 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--seed", flags.seed, "What the cases are drawn from")->capture_default_str();
     app.add_option("--jobs", flags.jobs, "Processes at once; 0 is one a core")->capture_default_str();
     app.footer(
-        "Exit codes: 0 all right, 1 marks lost, 2 wrong flags or a file that does not compile, 3 the grader failed.\n"
+        "Exit codes: 0 all right, 1 marks lost, 2 wrong flags or a file that does not compile, 3 the grader "
+        "failed,\n130 stopped by Ctrl-C.\n"
         "Examples: ./radlab check\n          ./radlab check 3 --hint\n          ./radlab check distributeEnergy --html "
         "--open\n          ./radlab check extensions");
 }
@@ -141,6 +143,7 @@ int judged(const FileChecker& checker, const Flags& flags) {
 }
 
 int run(const Flags& flags) {
+    const radlab::Interrupts interrupts;
     const FileChecker checker(flags.file, flags.seed, flags.jobs);
     try {
         return judged(checker, flags);

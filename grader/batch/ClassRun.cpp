@@ -25,8 +25,10 @@ public:
     ClassCounts grade(Engine& engine) {
         const Interrupts interrupts;
         store.begin(rules.key);
-        engine.grade({[&] { return next(); }, [&](const Job& job, const Graded& graded) { save(job, graded); },
-                      [&](const Job& job, const std::string& reason, bool last) { fail(job, reason, last); }});
+        doneWhole([&] {
+            engine.grade({[&] { return next(); }, [&](const Job& job, const Graded& graded) { save(job, graded); },
+                          [&](const Job& job, const std::string& reason, bool last) { fail(job, reason, last); }});
+        });
         store.note(notes);
         counts.interrupted = Interrupts::caught();
         if (!counts.interrupted) store.finish();

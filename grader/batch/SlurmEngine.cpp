@@ -46,6 +46,7 @@ Ended ask(const std::string& program, const std::vector<std::string>& arguments)
     ProcessLimits limits;
     limits.seconds = secondsOfAnswer;
     limits.file = std::size_t{1} << 20;
+    limits.stoppable = false;  // or a job might be left that nobody knows of
     return run(slurmCommand(program, arguments), "", limits);
 }
 

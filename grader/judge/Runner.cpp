@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "base/Interrupts.h"
+
 namespace radlab::grader {
 
 namespace {
@@ -35,7 +37,7 @@ void Runner::run(const std::vector<Task*>& tasks) {
     const auto count = std::min<std::size_t>(options.jobs ? options.jobs : cores, tasks.size());
     if (options.jobs == 1) {
         work(tasks, alone);
-        return;
+        return Interrupts::check();
     }
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < count; ++i)
@@ -44,10 +46,11 @@ void Runner::run(const std::vector<Task*>& tasks) {
             work(tasks, worker);
         });
     for (std::thread& thread : threads) thread.join();
+    Interrupts::check();
 }
 
 void Runner::work(const std::vector<Task*>& tasks, Worker& worker) {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
+    for (std::size_t i = next++; i < tasks.size() && !Interrupts::caught(); i = next++) {
         tell(tasks[i]->line->name);
         try {
             perform(*tasks[i], worker);

@@ -33,6 +33,7 @@ public:
     /// Runs the tasks, and judges the pictures among them.
     ///
     /// What stays undone where no worker starts is marked as the machine's fault.
+    /// Errors: Interrupted.
     void run(const std::vector<Task*>& tasks);
 
 private:

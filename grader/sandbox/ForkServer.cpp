@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 
+#include "base/Interrupts.h"
 #include "grader/sandbox/Conversation.h"
 #include "grader/sandbox/Deadline.h"
 #include "grader/sandbox/Launch.h"
@@ -48,6 +49,7 @@ void ForkServer::start() {
     char greeting = 0;
     Ended ended;
     while (recv(running->sockets.reading.get(), &greeting, 1, 0) != 1) {
+        Interrupts::check();
         const bool over = running->program.hasEnded(ended);
         if (!over && !deadline.isOver(running->program.process())) {
             running->talk.exchange(pollTime, running->sockets.reading.get());
@@ -99,6 +101,7 @@ Ended ForkServer::run(std::string_view input, double seconds) {
     Deadline deadline(command.arguments[0], seconds);
     Ended ended;
     while (!receive(ended)) {
+        Interrupts::check();
         const bool broughtDown = running->program.hasEnded(ended);
         if (broughtDown || deadline.isOver(running->program.process())) {
             ended.how = broughtDown ? Ended::How::signalled : Ended::How::timedOut;

@@ -22,7 +22,7 @@ public:
     /// One run in a process of its own, as in `run`.
     ///
     /// @param seconds  of wall-clock time, in place of those of the limits
-    /// Errors: MachineError, also where the program does not start.
+    /// Errors: MachineError, also where the program does not start; Interrupted, after which it runs nothing more.
     Ended run(std::string_view input, double seconds);
 
 private:

@@ -1,5 +1,6 @@
 #include "grader/sandbox/Process.h"
 
+#include "base/Interrupts.h"
 #include "grader/sandbox/Conversation.h"
 #include "grader/sandbox/Deadline.h"
 #include "grader/sandbox/Launch.h"
@@ -24,6 +25,7 @@ Ended run(const Command& command, std::string_view input, const ProcessLimits& l
             ended.how = Ended::How::timedOut;
             break;
         }
+        if (limits.stoppable) Interrupts::check();
         conversation.exchange(pollMilliseconds);
     }
     program.stop();

@@ -26,6 +26,7 @@ struct ProcessLimits {
     std::size_t file = 0;                       ///< bytes of the largest file that it may write
     std::size_t output = 64 << 10;              ///< bytes kept of what it prints; the rest is thrown away
     std::size_t answer = std::size_t{1} << 28;  ///< bytes that may come through descriptor 3
+    bool stoppable = true;                      ///< whether an interrupt kills it
 };
 
 /// How a program ended, and what it left.
@@ -57,7 +58,7 @@ public:
 /// up to five times its limit of time.
 /// May be called by several threads at once.
 ///
-/// Errors: MachineError.
+/// Errors: MachineError; Interrupted, the program then being killed.
 Ended run(const Command& command, std::string_view input, const ProcessLimits& limits);
 
 }  // namespace radlab::grader

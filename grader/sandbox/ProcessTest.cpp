@@ -3,13 +3,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <thread>
 
 #include <doctest/doctest.h>
 
+#include "base/Interrupts.h"
 #include "base/Stopwatch.h"
 #include "base/TestFolder.h"
+#include "base/WholeFile.h"
 
 using namespace radlab;
 using namespace radlab::grader;
@@ -56,6 +60,27 @@ private:
 };
 
 }  // namespace
+
+TEST_CASE("an interrupt kills the program that runs") {
+    const test::Folder folder;
+    const std::string number = (folder / "number").string();
+    const Interrupts interrupts;
+    std::atomic<bool> over{false};
+    std::thread presses([&] {
+        while (!over && !std::filesystem::exists(number)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        raise(SIGINT);
+    });
+    ProcessLimits limits;
+    limits.file = 64;
+    limits.seconds = 0.0;
+    CHECK_THROWS_AS(
+        shell("echo $$ > " + number + ".part; mv " + number + ".part " + number + "; sleep 1000", "", limits),
+        Interrupted);
+    over = true;
+    presses.join();
+    CHECK(kill(std::stoi(readFile(number)), 0) == -1);
+    CHECK(errno == ESRCH);
+}
 
 TEST_CASE("a program gets its input, and its output and answer come back apart") {
     const Ended ended = shell("cat; echo to stderr >&2; echo an answer >&3; exit 7", "from us\n");
