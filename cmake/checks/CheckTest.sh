@@ -115,6 +115,21 @@ case $claim in
         waits log 'score: 100/100' 1
         wait "$watcher" || wrong "ended with $?"
         watcher= ;;
+    "watch judges an extension out of its own file on every save")
+        mkdir mine
+        cp "$project/exercises/extensions/Mirror.cpp" mine/
+        "$program" mirrorScene --watch --extensions mine >log 2>&1 &
+        watcher=$!
+        waits log 'write mirrorScene (extension)' 1
+        echo 'int a = b;' >>mine/Mirror.cpp
+        waits log 'error: ' 1
+        cp "$project/solutions/extensions/Mirror.cpp" mine/
+        waits log 'extensions: 10/10' 1
+        wait "$watcher" || wrong "ended with $?"
+        watcher=
+        run extensions --watch
+        exits 2
+        says err 'watch follows one file: name the extension, hemisphereFF say' ;;
     "Ctrl-C ends check and watch with exit code 130 and one line, and leaves no folder")
         # A stage without an end, so that what is judged is the same at every speed.
         sed 's|throw NotImplemented("maxenergy_patch");|for (;;) polygons.size();|' "$project/exercises/ProgRef.cpp" >mine.cpp

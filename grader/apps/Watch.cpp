@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -68,19 +69,25 @@ Result judgeFrom(const FileChecker& checker, std::string& open) {
     }
 }
 
-void judgeUntilRight(const FileChecker& checker, const ReportOptions& options) {
-    std::string open = checker.manifest().stages.front().stage, verdict;
+struct Watched {
+    std::filesystem::path file;
+    std::function<Result()> judge;               // throws CompileError, MachineError
+    std::function<bool(const Result&)> isRight;  // so that there is nothing left to watch
+};
+
+void judgeUntilRight(const Watched& watched, const ReportOptions& options) {
+    std::string verdict;
     for (std::optional<std::string> text;;) {
-        text = nextText(checker.file(), text);
+        text = nextText(watched.file, text);
         try {
-            const Result result = judgeFrom(checker, open);
+            const Result result = watched.judge();
             verdict = terminalReport(result, options);
             announce("judged", options.color);
             std::cout << verdict << std::flush;
-            if (exitCode(result) == 0 && result.stages.size() == checker.manifest().stages.size()) return;
+            if (watched.isRight(result)) return;
         } catch (const CompileError& error) {
             announce("does not compile", options.color);
-            std::cout << compileReport(error.what(), checker.file()) << afterLast(verdict) << std::flush;
+            std::cout << compileReport(error.what(), watched.file) << afterLast(verdict) << std::flush;
         } catch (const MachineError& error) {
             announce("not judged", options.color);
             std::cout << error.what() << '\n' << afterLast(verdict) << std::flush;
@@ -88,13 +95,32 @@ void judgeUntilRight(const FileChecker& checker, const ReportOptions& options) {
     }
 }
 
+int watched(const Watched& what, const ReportOptions& options) {
+    std::cout << "watching " << std::filesystem::proximate(what.file).string() << "; Ctrl-C ends it" << std::endl;
+    if (doneWhole([&] { judgeUntilRight(what, options); })) return 0;
+    std::cout << "stopped by Ctrl-C" << std::endl;
+    return 130;
+}
+
 }  // namespace
 
 int watch(const FileChecker& checker, const ReportOptions& options) {
-    std::cout << "watching " << std::filesystem::proximate(checker.file()).string() << "; Ctrl-C ends it" << std::endl;
-    if (doneWhole([&] { judgeUntilRight(checker, options); })) return 0;
-    std::cout << "stopped by Ctrl-C" << std::endl;
-    return 130;
+    std::string open = checker.manifest().stages.front().stage;
+    const std::size_t stages = checker.manifest().stages.size();
+    return watched({checker.file(), [&] { return judgeFrom(checker, open); },
+                    [&](const Result& result) { return exitCode(result) == 0 && result.stages.size() == stages; }},
+                   options);
+}
+
+int watchExtension(const FileChecker& checker, const ManifestStage& extension, const std::filesystem::path& folder,
+                   const ReportOptions& options) {
+    const auto judge = [&] {
+        Result result = checker.judgeExtensions({extension}, folder);
+        if (!result.compiled) throw CompileError(result.compiler);
+        return result;
+    };
+    return watched({folder / extension.file, judge, [](const Result& result) { return exitCode(result) == 0; }},
+                   options);
 }
 
 }  // namespace radlab::grader

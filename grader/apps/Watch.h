@@ -13,4 +13,8 @@ namespace radlab::grader {
 /// @pre    there is an Interrupts
 int watch(const FileChecker& checker, const ReportOptions& options);
 
+/// The same for one extension, out of its file in the folder.
+int watchExtension(const FileChecker& checker, const ManifestStage& extension, const std::filesystem::path& folder,
+                   const ReportOptions& options);
+
 }  // namespace radlab::grader

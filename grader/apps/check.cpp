@@ -36,7 +36,8 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--extensions", flags.extensions,
                    "The folder of the extensions' files; without a stage, they are judged beside the six");
     app.add_flag("--hint", flags.hint, "Say more about where to look");
-    app.add_flag("--watch", flags.watch, "Judge the first open stage whenever the file is saved");
+    app.add_flag("--watch", flags.watch,
+                 "Judge the first open stage, or the extension named, whenever its file is saved");
     app.add_flag("--html", flags.html, "Write a page with the pictures: reference, yours, difference");
     app.add_flag("--open", flags.open, "Open that page in the browser");
     app.add_option("--out", flags.out, "The folder of that page")->capture_default_str();
@@ -134,10 +135,15 @@ std::vector<ManifestStage> extensionsAsked(const Manifest& manifest, const std::
 
 int judged(const FileChecker& checker, const Flags& flags) {
     const std::vector<ManifestStage> extensions = extensionsAsked(checker.manifest(), flags.stage);
+    const ReportOptions options{.color = wantsColor(), .hints = flags.hint};
+    if (flags.watch && extensions.size() > 1)
+        throw radlab::Error("watch follows one file: name the extension, " + extensions.front().stage + " say");
+    if (flags.watch && extensions.size() == 1)
+        return watchExtension(checker, extensions.front(), folderOfExtensions(flags), options);
     if (!extensions.empty()) return checkExtensions(checker, extensions, flags);
     std::vector<std::string> stages;
     if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
-    if (flags.watch) return watch(checker, {.color = wantsColor(), .hints = flags.hint});
+    if (flags.watch) return watch(checker, options);
     expectText(flags);
     return check(checker, stages, flags);
 }

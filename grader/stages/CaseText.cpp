@@ -9,7 +9,7 @@ namespace {
 
 // Larger cases are not printed: nobody would paste them.
 constexpr std::size_t mostPatches = 8;
-constexpr std::size_t columns = 86;
+constexpr std::size_t textColumns = 86;
 
 std::string number(float value) {
     char text[32];
@@ -53,8 +53,8 @@ std::string initialiser(const MyPolygon& patch, const std::vector<std::string>& 
 // A line broken after commas, what follows indented further.
 std::string broken(std::string line) {
     std::string text;
-    while (line.size() > columns) {
-        const std::size_t comma = line.rfind(", ", columns - 2);
+    while (line.size() > textColumns) {
+        const std::size_t comma = line.rfind(", ", textColumns - 2);
         if (comma == std::string::npos || comma < 20) break;
         text += line.substr(0, comma + 1) + "\n";
         line = "        " + line.substr(comma + 2);

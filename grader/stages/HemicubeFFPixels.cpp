@@ -8,8 +8,6 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::infinity();
-
 // Which pixels count ----------------------------------------------------------------------------
 
 std::vector<Mistake> parts(const Ways& ways) {

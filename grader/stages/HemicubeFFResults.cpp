@@ -10,7 +10,6 @@ namespace radlab::grader {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double unknown = std::numeric_limits<double>::infinity();
 
 // What is done with the row ---------------------------------------------------------------------
 

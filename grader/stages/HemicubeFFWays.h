@@ -2,11 +2,15 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "grader/stages/HemicubeShot.h"
 
 namespace radlab::grader {
+
+/// The slack of a form factor that may be anything.
+inline constexpr double unknown = std::numeric_limits<double>::infinity();
 
 /// Makes computations that differ from the right one in one way.
 class Ways {

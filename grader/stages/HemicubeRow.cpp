@@ -12,8 +12,6 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr double parallelSine = 1e-5;
-
 glm::dvec3 unit(const Vec3f& v, const char* name) {
     const glm::dvec3 exact(v);
     const double length = glm::length(exact);

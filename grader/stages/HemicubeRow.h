@@ -6,6 +6,9 @@
 
 namespace radlab::grader {
 
+/// Below this sine of the angle between them, up and direction count as parallel.
+inline constexpr double parallelSine = 1e-5;
+
 /// The five views of a Hemicube of that size at a patch, as Hemicube::renderScene sets them.
 ///
 /// @param eye        centre of the patch, in world coordinates

@@ -15,7 +15,6 @@ constexpr double mostEyeShift = 1e-3;  // in edges of the patch
 constexpr double mostTilt = 1e-3;      // sine
 
 // As the Hemicube has it.
-constexpr double parallelSine = 1e-5;
 
 // Of a few float operations, beside those of the sum.
 constexpr double floatError = 1e-6;

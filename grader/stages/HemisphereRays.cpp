@@ -13,7 +13,6 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t spread = 16384;  // rays for an expectation
 constexpr double spreadError = 1e-3;     // of a share found with them
 constexpr double floatSums = 2e-3;       // a share that is a sum of many small floats
@@ -67,7 +66,7 @@ Vec3f pointOn(const State& state, const MyPolygon& patch, const Draw& draw) {
 }  // namespace
 
 glm::dvec3 cosineDirection(const Draw& draw) {
-    const double r = std::sqrt(draw.x), turn = 2.0 * pi * draw.y;
+    const double r = std::sqrt(draw.x), turn = 2.0 * std::numbers::pi * draw.y;
     return {r * std::cos(turn), r * std::sin(turn), std::sqrt(1.0 - draw.x)};
 }
 

@@ -9,7 +9,7 @@ namespace radlab::grader {
 
 namespace {
 
-using Corners = RasterStyle::Corners;
+using DrawnCorners = RasterStyle::Corners;
 using Cull = RasterStyle::Cull;
 using Facing = ScreenPolygon::Facing;
 
@@ -20,10 +20,10 @@ struct Fragment {
 };
 
 // How many of a patch's corners are drawn; 0 where it is not drawn.
-int cornersDrawn(const MyPolygon& patch, Corners corners) {
-    if (corners == Corners::quadsOnly && patch.vertices != 4) return 0;
-    if (corners == Corners::trianglesOnly && patch.vertices != 3) return 0;
-    return corners == Corners::firstThree ? 3 : patch.vertices;
+int cornersDrawn(const MyPolygon& patch, DrawnCorners corners) {
+    if (corners == DrawnCorners::quadsOnly && patch.vertices != 4) return 0;
+    if (corners == DrawnCorners::trianglesOnly && patch.vertices != 3) return 0;
+    return corners == DrawnCorners::firstThree ? 3 : patch.vertices;
 }
 
 bool culled(Facing facing, Cull cull) {
