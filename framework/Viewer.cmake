@@ -61,5 +61,8 @@ if(Python3_Interpreter_FOUND AND UNIX)
     add_test(NAME "view: ${claim}" COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/checks/ViewTest.py
       $<TARGET_FILE:view> $<TARGET_FILE:view-picture> ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} "${claim}")
     set_tests_properties("view: ${claim}" PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: " RESOURCE_LOCK window)
+    if(RADLAB_SANITIZE)
+      set_tests_properties("view: ${claim}" PROPERTIES ENVIRONMENT RADLAB_SANITIZED=1)
+    endif()
   endforeach()
 endif()

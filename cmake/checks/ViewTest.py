@@ -356,7 +356,8 @@ with tempfile.TemporaryDirectory() as folder, Display():
         viewer.quit()
     elif claim.startswith("a crash"):
         write(solution.replace("void renderPatchIDs() {", "void renderPatchIDs() {\n    *static_cast<volatile int*>(nullptr) = 1;", 1))
-        viewer = Viewer(folder, "--hang-seconds", "2", *own)
+        hang = "30" if "RADLAB_SANITIZED" in os.environ else "2"  # the sanitizers take seconds for their report of the crash
+        viewer = Viewer(folder, "--hang-seconds", hang, *own)
         viewer.ready()
         viewer.key("Left", "a turn", lambda s: True)
         before = viewer.settled()
@@ -364,10 +365,10 @@ with tempfile.TemporaryDirectory() as folder, Display():
         state = viewer.banner("renderPatchIDs crashed")
         if camera(state) != camera(before) or state["playing"] or state["can_run"]:
             wrong(f"not the same view, paused: {camera(state)}, {camera(before)}")
-        write(solution.replace("bool distributeEnergy(MyPolygon* maxP) {", "bool distributeEnergy(MyPolygon* maxP) {\n    for (volatile int i = 0;;) i = i + 1;", 1))
+        write(solution.replace("bool distributeEnergy(MyPolygon* maxP) {", "bool distributeEnergy(MyPolygon* maxP) {\n    for (volatile unsigned i = 0;;) i = i + 1;", 1))
         viewer.ready()
         viewer.xdotool("key", "n")
-        viewer.banner("distributeEnergy ran for more than 2 s")
+        viewer.banner(f"distributeEnergy ran for more than {hang} s")
         write(solution.replace("MyPolygon* maxenergy_patch() {", "static int initialised = *static_cast<volatile int*>(nullptr);\nMyPolygon* maxenergy_patch() {", 1))
         viewer.banner("while it was being loaded")
         if list(pathlib.Path(os.environ["TMPDIR"]).glob("radlab-view-*")):

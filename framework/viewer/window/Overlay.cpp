@@ -86,9 +86,9 @@ void drawHelp(Ui& ui, float left, float right, float height) {
 }
 
 void drawStatus(Ui& ui, float right, float height) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%s%.0f frames/s   ? for keys", ui.viewer.isPlaying() ? "shooting   " : "",
-                  ui.framesPerSecond);
+    char text[64] = "? for keys";
+    if (ui.viewer.isPlaying())  // else frames come when there is something new to show
+        std::snprintf(text, sizeof text, "shooting   %.0f frames/s   ? for keys", ui.framesPerSecond);
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 at(right - size.x - ui.unit(14.0f), height - size.y - ui.unit(10.0f));
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
