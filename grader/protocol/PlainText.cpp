@@ -1,7 +1,5 @@
 #include "grader/protocol/PlainText.h"
 
-#include <cstdio>
-
 namespace radlab::grader {
 
 namespace {
@@ -20,8 +18,8 @@ bool isDeceptive(char32_t value) {
 }
 
 std::string spelledOut(char32_t value) {
-    char text[16];
-    std::snprintf(text, sizeof text, value < 0x80 ? "\\x%02x" : "\\u%04x", static_cast<unsigned>(value));
+    std::string text = value < 0x80 ? "\\x" : "\\u";
+    for (int shift = value < 0x80 ? 4 : 12; shift >= 0; shift -= 4) text += "0123456789abcdef"[value >> shift & 15];
     return text;
 }
 
