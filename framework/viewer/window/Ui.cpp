@@ -18,6 +18,7 @@ float panelWidth(const Ui& ui) { return ui.unit(316.0f); }
 float inspectorWidth(const Ui& ui) { return ui.unit(300.0f); }
 
 void Ui::remember(const std::string& name) {
+    if (ImGui::IsWindowAppearing()) return;  // a list that opens has its place from the second frame on
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
     if (high.y <= top || low.y >= bottom) return;  // scrolled away
