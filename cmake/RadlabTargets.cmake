@@ -37,9 +37,43 @@ function(radlab_precompile name)
 endfunction()
 radlab_precompile(radlab_precompiled)
 
+# Whether a library, or one that it links, asks for a definition that changes the system's headers (_FILE_OFFSET_BITS): what is
+# precompiled without it does not fit then. Such names begin with an underscore.
+function(radlab_changes_headers library out)
+  set(${out} FALSE PARENT_SCOPE)
+  if(NOT TARGET ${library})
+    return()
+  endif()
+  get_target_property(definitions ${library} INTERFACE_COMPILE_DEFINITIONS)
+  if("${definitions}" MATCHES "(^|;)_")
+    set(${out} TRUE PARENT_SCOPE)
+    return()
+  endif()
+  get_target_property(linked ${library} INTERFACE_LINK_LIBRARIES)
+  foreach(next IN LISTS linked)
+    radlab_changes_headers("${next}" changes)  # not what is linked by $<LINK_ONLY:…>: its definitions do not arrive
+    if(changes)
+      set(${out} TRUE PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+endfunction()
+
+function(radlab_reuse_headers_now name from)
+  get_target_property(linked ${name} LINK_LIBRARIES)
+  foreach(library IN LISTS linked)
+    radlab_changes_headers("${library}" changes)
+    if(changes)
+      return()
+    endif()
+  endforeach()
+  target_precompile_headers(${name} REUSE_FROM ${from})
+endfunction()
+
+# Gives a target what is precompiled, at the end of its folder's list: what it links is known then.
 function(radlab_reuse_headers name from)
   if(RADLAB_PRECOMPILE)
-    target_precompile_headers(${name} REUSE_FROM ${from})
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL radlab_reuse_headers_now ${name} ${from})")
   endif()
 endfunction()
 
@@ -112,7 +146,8 @@ function(radlab_program name source)
   radlab_unify(${name})
   if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     # CLI11 is all headers: half of the time that a program takes to compile goes into making its flags fast.
-    set_source_files_properties(${PROJECT_SOURCE_DIR}/${source}.cpp PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O1>")
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/${source}.cpp PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O1>"
+      SKIP_PRECOMPILE_HEADERS ON)  # they are compiled with -O3
   endif()
 endfunction()
 

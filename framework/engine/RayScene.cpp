@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <embree3/rtcore.h>
-
 #include "base/Error.h"
+#include "engine/Embree.h"
 #include "engine/Triangles.h"
 
 namespace radlab::engine {
@@ -17,7 +16,7 @@ constexpr double startsOff =
 
 // What a filter is told beside Embree's own; the context comes first, so that a pointer to it is a pointer to this.
 struct Passing {
-    RTCIntersectContext context;
+    embree::Context context;
     const std::size_t* polygonOf;
     std::size_t first, second;  // polygons that the ray passes through
     const Plane* planes = nullptr;
@@ -102,23 +101,19 @@ struct RayScene::Tree {
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
         // Without it, one ray in eight slips through between two triangles that share an edge.
-        rtcSetSceneFlags(scene,
-                         static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+        rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::filterOfEachRay));
         rtcCommitScene(scene);
     }
 
     Passing passing(const std::vector<std::size_t>& owners, std::size_t first, std::size_t second) const {
-        Passing made{{}, owners.data(), first, second, nullptr, Point(0.0), 0.0};
-        rtcInitIntersectContext(&made.context);
-        made.context.filter = passThrough;
-        return made;
+        return {{}, owners.data(), first, second, nullptr, Point(0.0), 0.0};
     }
 
     bool stops(const Point& from, const Point& between, Passing& passing) const {
         const double near = offset / glm::length(between);
         if (!(near < 0.5)) return false;
         RTCRay ray = rayFrom(from, between, near, 1.0 - near);
-        rtcOccluded1(scene, &passing.context, &ray);
+        embree::occlude(scene, passing.context, passThrough, ray);
         return ray.tfar < 0.0f;
     }
 };
@@ -168,7 +163,7 @@ RayHit RayScene::meet(const Point& from, const Point& direction, std::size_t sta
     passing.near = tree->offset / glm::length(direction);
     if (sides == Sides::fronts) passing.towards = &direction;
     traced.fetch_add(1, std::memory_order_relaxed);
-    rtcIntersect1(tree->scene, &passing.context, &hit);
+    embree::intersect(tree->scene, passing.context, passThrough, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return {polygonOf[hit.hit.primID], double(hit.ray.tfar)};
 }

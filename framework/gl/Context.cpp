@@ -27,6 +27,11 @@ void GlContext::makeCurrent() {
     currentContext = this;
 }
 
+std::string GlContext::description() const {
+    const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };
+    return kind() + ", OpenGL " + text(GL_VERSION) + ", " + text(GL_RENDERER);
+}
+
 void GlContext::load() {
     if (!glGetString(GL_VERSION))
         throw Error("the " + kind() + " context does not answer OpenGL calls: another library has taken them over");

@@ -42,6 +42,11 @@ public:
     /// "OSMesa", "EGL" or "GLFW".
     virtual std::string kind() const = 0;
 
+    /// Its kind, version and renderer in a line, as OpenGL names them.
+    ///
+    /// @pre it is current
+    std::string description() const;
+
 protected:
     GlContext() = default;
 

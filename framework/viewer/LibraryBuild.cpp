@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/Error.h"
+#include "base/TemporaryPlace.h"
 
 #ifdef _WIN32
 #define popen _popen
@@ -99,8 +100,8 @@ std::optional<LibraryOutcome> LibraryBuild::poll() {
     if (stamp.empty() || stamp == built || !quiet) return std::nullopt;
     built = stamp;
     const std::filesystem::path copy =
-        std::filesystem::temp_directory_path() / ("radlab-view-" + std::to_string(std::random_device()()) + "-" +
-                                                  std::to_string(copies++) + recipe.library.extension().string());
+        temporaryPlace() / ("radlab-view-" + std::to_string(std::random_device()()) + "-" + std::to_string(copies++) +
+                            recipe.library.extension().string());
     running = std::async(std::launch::async, [this, copy] { return build(recipe, copy); });
     return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include "base/Heap.h"
 #include "base/Interrupts.h"
 #include "base/WholeFile.h"
+#include "grader/apps/AboutMachine.h"
 #include "grader/apps/CheckFile.h"
 #include "grader/apps/CheckReports.h"
 #include "grader/apps/CompileReport.h"
@@ -151,6 +152,7 @@ int judged(const FileChecker& checker, const Flags& flags) {
 int run(const Flags& flags) {
     const radlab::Interrupts interrupts;
     const FileChecker checker(flags.file, flags.seed, flags.jobs);
+    tellLacks();
     try {
         return judged(checker, flags);
     } catch (const MachineError& error) {
@@ -170,5 +172,6 @@ int main(int argc, char** argv) {
     CLI::App app("Says which stages of the exercise are right, and what is wrong with the others.");
     Flags flags;
     describe(app, flags);
+    app.set_version_flag("--version", aboutMachine);
     return radlab::runCommandLine(app, argc, argv, [&] { return run(flags); });
 }

@@ -8,6 +8,7 @@
 #include "apps/CommandLine.h"
 #include "base/Heap.h"
 #include "base/WholeFile.h"
+#include "grader/apps/AboutMachine.h"
 #include "grader/apps/GradeReports.h"
 #include "grader/apps/GradeSummary.h"
 #include "grader/apps/Grading.h"
@@ -183,6 +184,7 @@ int grade(const Flags& flags) {
         if (flags.selfTest) return tryAttacks();
         if (flags.submissions.empty())
             throw Error("no folder of submissions was named: ./radlab grade --help shows how");
+        tellLacks();
         return flags.task.empty() ? gradeSubmissions(flags) : gradeTask(flags);
     } catch (const MachineError& error) {
         std::cerr << "error: " << error.what() << '\n';
@@ -197,5 +199,6 @@ int main(int argc, char** argv) {
     CLI::App app("Marks the submissions of a class.");
     Flags flags;
     describe(app, flags);
+    app.set_version_flag("--version", aboutMachine);
     return radlab::runCommandLine(app, argc, argv, [&] { return grade(flags); });
 }

@@ -38,12 +38,18 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-// The files in the box, the one to compile first, each under the first name for one that has the second outside.
-using Sources = std::vector<std::pair<std::string, std::string>>;
+// Names of files and folders in the box, each with the one that it has outside.
+using Names = std::vector<std::pair<std::string, std::string>>;
 
-Sources showSources(Box& box, const std::filesystem::path& source, const std::filesystem::path& folder,
-                    const std::vector<std::string>& names) {
-    Sources sources;
+std::string outside(std::string text, const Names& names) {
+    for (const auto& [shown, own] : names) text = replaced(text, shown, own);
+    return text;
+}
+
+// The one to compile comes first.
+Names showSources(Box& box, const std::filesystem::path& source, const std::filesystem::path& folder,
+                  const std::vector<std::string>& names) {
+    Names sources;
     for (const std::string& name : names) {
         const std::filesystem::path from = sources.empty() ? source : source.parent_path() / name, copy = folder / name;
         if (!sources.empty() && !std::filesystem::is_regular_file(from)) continue;
@@ -53,15 +59,60 @@ Sources showSources(Box& box, const std::filesystem::path& source, const std::fi
     return sources;
 }
 
-std::vector<std::string> compilerCall(const Toolchain& toolchain, Box& box, const std::string& source) {
+Names showHeaders(Box& box, const std::vector<std::filesystem::path>& folders) {
+    Names headers;
+    for (const std::filesystem::path& folder : folders)
+        headers.emplace_back(box.show(readableByAll(folder, box.sandbox), folder).string(), folder.string());
+    return headers;
+}
+
+std::vector<std::string> compilerCall(const Toolchain& toolchain, const Names& headers, const std::string& source) {
+    std::vector<std::string> call = {"/bin/sh", "-c", compileScript, "sh", toolchain.compiler};
+    for (std::string flag : toolchain.flags) {
+        for (const auto& [shown, own] : headers) flag = replaced(flag, own, shown);
+        call.push_back(flag);
+    }
+    call.insert(call.end(), {"-pipe", "-shared", "-x", "c++", source});
+    return call;
+}
+
+struct Compilation {
+    Ended ended;
+    std::string said;  // by the compiler, under the files' own names
+    bool succeeded() const { return ended.how == Ended::How::exited && ended.code == 0; }
+};
+
+Compilation compile(const std::filesystem::path& source, const std::vector<std::string>& names,
+                    const Toolchain& toolchain, double seconds) {
+    const TemporaryFolder folder;
+    Command command;
+    Box& box = command.box.emplace(toolchain.sandbox);
     box.calls = Calls::compiler;
     box.programs = true;
     box.scratch = mostScratch;
-    for (const std::filesystem::path& folder : toolchain.reads) box.show(readableByAll(folder, box.sandbox), folder);
-    std::vector<std::string> call = {"/bin/sh", "-c", compileScript, "sh", toolchain.compiler};
-    call.insert(call.end(), toolchain.flags.begin(), toolchain.flags.end());
-    call.insert(call.end(), {"-pipe", "-shared", "-x", "c++", source});
-    return call;
+    const Names sources = showSources(box, source, folder.path(), names), headers = showHeaders(box, toolchain.reads);
+    command.arguments = compilerCall(toolchain, headers, sources.front().first);
+    ProcessLimits limits;
+    limits.seconds = seconds;
+    limits.file = limits.answer = mostLibrary;
+    limits.output = mostSaid;
+    Compilation made{run(command, "", limits), ""};
+    made.said = outside(outside(made.ended.output, sources), headers);
+    if (made.ended.how != Ended::How::timedOut && (made.ended.answer.empty() || made.ended.answer[0] != begun))
+        throw MachineError("the compiler could not be started: " +
+                           (made.said.empty() ? howItEnded(made.ended) : made.said));
+    return made;
+}
+
+// Whether the fault is the machine's: there, the course's own header does not compile either.
+void requireCompiler(const Toolchain& toolchain, double seconds) {
+    const TemporaryFolder folder;
+    const std::filesystem::path control = folder.path() / "control.cpp";
+    writeFile(control, "#include \"course/ProgRef.h\"\n");
+    const Compilation made = compile(control, {"control.cpp"}, toolchain, seconds);
+    if (!made.succeeded())
+        throw MachineError("the course's own headers do not compile on this machine: " +
+                           (made.said.empty() ? howItEnded(made.ended) : visibleText(firstError(made.said))));
 }
 
 }  // namespace
@@ -102,25 +153,15 @@ std::string compileSubmission(const std::filesystem::path& file, const std::file
     const std::filesystem::path source = std::filesystem::absolute(file, failure);
     if (!std::filesystem::is_regular_file(source, failure))
         throw Error(file.string() + ": found no such file, expected a C++ file with the six functions");
-    const TemporaryFolder folder;
-    Command command;
-    Box& box = command.box.emplace(toolchain.sandbox);
-    const Sources sources = showSources(box, source, folder.path(), manifest.files);
-    command.arguments = compilerCall(toolchain, box, sources.front().first);
-    ProcessLimits limits;
-    limits.seconds = manifest.compileSeconds;
-    limits.file = limits.answer = mostLibrary;
-    limits.output = mostSaid;
-    const Ended ended = run(command, "", limits);
-    std::string said = ended.output;
-    for (const auto& [shown, own] : sources) said = replaced(said, shown, own);
-    if (ended.how == Ended::How::timedOut)
-        throw CompileError(file.string() + ": compiling took longer than " + durationText(limits.seconds));
-    if (ended.answer.empty() || ended.answer[0] != begun)
-        throw MachineError("the compiler could not be started: " + (said.empty() ? "no reason given" : said));
-    if (ended.how == Ended::How::signalled || ended.code != 0) throw CompileError(visibleText(firstError(said)));
-    writeForAll(library, std::string_view(ended.answer).substr(1));
-    return said;
+    const Compilation made = compile(source, manifest.files, toolchain, manifest.compileSeconds);
+    if (made.ended.how == Ended::How::timedOut)
+        throw CompileError(file.string() + ": compiling took longer than " + durationText(manifest.compileSeconds));
+    if (!made.succeeded()) {
+        requireCompiler(toolchain, manifest.compileSeconds);
+        throw CompileError(visibleText(firstError(made.said)));
+    }
+    writeForAll(library, std::string_view(made.ended.answer).substr(1));
+    return made.said;
 }
 
 }  // namespace radlab::grader

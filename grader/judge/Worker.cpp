@@ -5,6 +5,7 @@
 #include <random>
 
 #include "base/ProgressBar.h"
+#include "grader/judge/WorkerOpenGl.h"
 #include "grader/sandbox/Process.h"
 
 namespace radlab::grader {
@@ -33,6 +34,7 @@ Command workerCommand(const std::filesystem::path& library, const Toolchain& too
          {"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true",
           "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:handle_segv=0", "UBSAN_OPTIONS=print_stacktrace=1"})
         command.environment.emplace_back(setting);
+    chooseOpenGl(command);
     return command;
 }
 

@@ -92,7 +92,8 @@ std::vector<std::string> bubblewrapArguments(const Box& box, int filter) {
                            "radlab",
                            "--cap-drop",
                            "ALL"};
-    for (const char* library : {"/usr/lib", "/usr/lib64", "/lib", "/lib64", "/etc/ld.so.cache"})
+    for (const char* library :
+         {"/usr/lib", "/usr/lib64", "/lib", "/lib64", "/etc/ld.so.cache", "/usr/share/glvnd", "/etc/glvnd"})
         show(arguments, library);
     if (box.programs)
         for (const char* folder : {"/usr/bin", "/bin", "/usr/include", "/usr/libexec", "/usr/local/bin",

@@ -55,10 +55,11 @@ void ForkServer::start() {
             running->talk.exchange(pollTime, running->sockets.reading.get());
             continue;
         }
+        if (!over) ended.how = Ended::How::timedOut;
         running->talk.finish(ended);
         running.reset();
         throw MachineError(command.arguments[0] + " does not start on this machine: " +
-                           (ended.output.empty() ? "no reason given" : ended.output));
+                           (ended.output.empty() ? "it " + howItEnded(ended) : ended.output));
     }
 }
 

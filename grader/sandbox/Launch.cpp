@@ -86,9 +86,9 @@ void placeDescriptors(const Start& start) {
         placeDescriptors(start);
         setLimits(start);
         signal(SIGPIPE, SIG_DFL);
+        const bool there = chdir(start.folder) == 0;  // the filter may forbid it
         const bool filtered = start.program.len == 0 || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &start.program) == 0;
-        if (filtered && chdir(start.folder) == 0)
-            execve(start.arguments[0], start.arguments.data(), start.environment.data());
+        if (there && filtered) execve(start.arguments[0], start.arguments.data(), start.environment.data());
     }
     _exit(cannotStart);
 }

@@ -13,6 +13,12 @@ constexpr int pollMilliseconds = 10;  // how late the end of a program is seen w
 
 }  // namespace
 
+std::string howItEnded(const Ended& ended) {
+    if (ended.how == Ended::How::timedOut) return "took too long";
+    return (ended.how == Ended::How::signalled ? "was stopped by signal " : "ended with exit code ") +
+           std::to_string(ended.code);
+}
+
 Ended run(const Command& command, std::string_view input, const ProcessLimits& limits) {
     RADLAB_CHECK(!command.arguments.empty());
     Conversation conversation(input, limits);

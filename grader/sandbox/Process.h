@@ -44,6 +44,9 @@ struct Ended {
     double seconds = 0.0;
 };
 
+/// "ended with exit code 1", "was stopped by signal 11" or "took too long", for messages.
+std::string howItEnded(const Ended& ended);
+
 /// The program cannot be started, or this machine lacks processes, descriptors or the time to run it: not the program's fault.
 class MachineError : public Error {
 public:

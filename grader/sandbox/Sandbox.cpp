@@ -21,21 +21,25 @@ struct Extra {
     bool (*has)(const Sandbox&);
     void (*drop)(Sandbox&);
     const char* remedy;
+    bool root;
 };
 
 // What is worth most comes last: the first are given up first.
 const std::vector<Extra> extras = {
     {"memory control group", [](const Sandbox& s) { return !s.groups.memory.empty(); },
      [](Sandbox& s) { s.groups.memory.clear(); },
-     "a control group that may be written: run as root, or by systemd-run --scope -p Delegate=yes"},
+     "a control group that may be written: run as root, or by systemd-run --scope -p Delegate=yes", true},
     {"process control group", [](const Sandbox& s) { return !s.groups.pids.empty(); },
      [](Sandbox& s) { s.groups.pids.clear(); },
-     "a control group that may be written: run as root, or by systemd-run --scope -p Delegate=yes"},
-    {"own user", [](const Sandbox& s) { return s.ownUser; }, [](Sandbox& s) { s.ownUser = false; }, "running as root"},
+     "a control group that may be written: run as root, or by systemd-run --scope -p Delegate=yes", true},
+    {"own user", [](const Sandbox& s) { return s.ownUser; }, [](Sandbox& s) { s.ownUser = false; }, "running as root",
+     true},
     {"system call filter", [](const Sandbox& s) { return s.filter; }, [](Sandbox& s) { s.filter = false; },
-     "apt-get install libseccomp-dev, and building again"},
+     "libseccomp-dev, building again, and a kernel or container that lets a process filter its calls", false},
     {"namespaces", [](const Sandbox& s) { return !s.bubblewrap.empty(); }, [](Sandbox& s) { s.bubblewrap.clear(); },
-     "apt-get install bubblewrap, and user namespaces (sysctl user.max_user_namespaces)"},
+     "apt-get install bubblewrap, and a kernel or container that allows user namespaces (sysctl "
+     "user.max_user_namespaces)",
+     false},
 };
 
 fs::path findBubblewrap() {
@@ -95,8 +99,22 @@ std::vector<std::string> protections(const Sandbox& sandbox) {
     return names;
 }
 
+std::vector<Lack> lacks(const Sandbox& sandbox) {
+    std::vector<Lack> missing;
+    for (auto extra = extras.rbegin(); extra != extras.rend(); ++extra)
+        if (!extra->has(sandbox)) missing.push_back({extra->name, extra->remedy, extra->root});
+    return missing;
+}
+
+std::string lackingNames(const Sandbox& sandbox) {
+    std::string names;
+    for (const Lack& lack : lacks(sandbox))
+        if (!lack.root || geteuid() == 0) names += (names.empty() ? "" : ", ") + lack.protection;
+    return names;
+}
+
 void requireProtections(const std::vector<std::string>& names, const Sandbox& sandbox) {
-    const std::vector<std::string> all = allProtections(), here = protections(sandbox);
+    const std::vector<std::string> all = allProtections();
     const std::vector<std::string>& wanted = names.size() == 1 && names[0] == "all" ? all : names;
     const auto in = [](const std::vector<std::string>& list, const std::string& name) {
         return std::find(list.begin(), list.end(), name) != list.end();
@@ -105,9 +123,8 @@ void requireProtections(const std::vector<std::string>& names, const Sandbox& sa
     for (const std::string& name : all) known += (known.empty() ? "" : ", ") + name;
     for (const std::string& name : wanted)
         if (!in(all, name)) throw Error("unknown protection '" + name + "': expected all, or some of " + known);
-    for (const Extra& extra : extras)
-        if (in(wanted, extra.name) && !in(here, extra.name))
-            lacking += std::string("\n  ") + extra.name + ": needs " + extra.remedy;
+    for (const Lack& lack : lacks(sandbox))
+        if (in(wanted, lack.protection)) lacking += "\n  " + lack.protection + ": needs " + lack.remedy;
     if (!lacking.empty()) throw Error("this machine lacks protections that --require names:" + lacking);
 }
 

@@ -25,6 +25,18 @@ std::vector<std::string> allProtections();
 /// Those that a sandbox has.
 std::vector<std::string> protections(const Sandbox& sandbox);
 
+/// A protection that a machine lacks, and what would bring it.
+struct Lack {
+    std::string protection, remedy;
+    bool root = false;  ///< only root can have it
+};
+
+/// What a sandbox lacks, the most important first.
+std::vector<Lack> lacks(const Sandbox& sandbox);
+
+/// Those names, separated by commas; without those that only root can have where this process is not root's.
+std::string lackingNames(const Sandbox& sandbox);
+
 /// Makes sure that the protections of a list are there; "all" stands for all.
 ///
 /// Errors: names that this machine lacks, with what would bring them; unknown names.

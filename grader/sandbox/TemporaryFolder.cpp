@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/TemporaryPlace.h"
 #include "grader/sandbox/Pipes.h"
 
 namespace radlab::grader {
@@ -33,9 +34,9 @@ void removeLeftOvers(const fs::path& among) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() : maker(getpid()) {
-    static const bool removed = (removeLeftOvers(fs::temp_directory_path()), true);
+    static const bool removed = (removeLeftOvers(temporaryPlace()), true);
     (void)removed;
-    std::string name = (fs::temp_directory_path() / prefix).string() + "XXXXXX";
+    std::string name = (temporaryPlace() / prefix).string() + "XXXXXX";
     if (!mkdtemp(name.data()) || chmod(name.c_str(), 0711) != 0) failWithErrno(name + ": the folder cannot be made");
     folder = name;
 }

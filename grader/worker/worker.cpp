@@ -1,5 +1,6 @@
 // Loads a submission, performs the steps of a request and answers; started by the judge, which alone knows what is right.
 //
+//   worker about: says which OpenGL it draws with.
 //   worker plain|drawing LIBRARY: forks for each request; it comes on standard input, and the answers go to file
 //   descriptor 3. One that draws has OpenGL loaded before it forks.
 
@@ -16,6 +17,7 @@
 
 #include "base/Error.h"
 #include "base/Heap.h"
+#include "gl/Context.h"
 #include "grader/sandbox/ServeForks.h"
 #include "grader/worker/Steps.h"
 #include "grader/worker/WarmOpenGl.h"
@@ -89,9 +91,20 @@ void answerAll(const char* library, std::unique_ptr<radlab::GlContext> openGl, R
     finish(0);
 }
 
+int about() {
+    try {
+        std::cout << radlab::GlContext::offscreen()->description() << std::endl;
+        return 0;
+    } catch (const radlab::Error& error) {
+        std::cout << error.what() << std::endl;
+        return 3;
+    }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+    if (count == 2 && std::strcmp(arguments[1], "about") == 0) return about();
     if (count != 3) return 2;
     radlab::keepFreedMemory();
     std::unique_ptr<radlab::GlContext> openGl;

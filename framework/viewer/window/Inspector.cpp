@@ -1,5 +1,7 @@
 // The panel of the picked patch, at the right.
 
+#include <cstdint>
+
 #include "viewer/window/Ui.h"
 
 namespace radlab {
@@ -18,7 +20,8 @@ void color(Ui& ui, const char* name, const char* unit, const Vec3f& value, const
     if (*unit && ImGui::IsItemHovered()) ImGui::SetTooltip("red, green, blue in %s", unit);
 }
 
-void picture(Ui& ui, ImTextureID texture, const char* name, float side) {
+void picture(Ui& ui, GLuint image, const char* name, float side) {
+    const auto texture = (ImTextureID)(std::intptr_t)image;  // a pointer or an integer, by ImGui's version
     ImGui::BeginGroup();
     ImGui::Image(texture, ImVec2(side, side));
     if (ImGui::IsItemHovered()) {

@@ -1,7 +1,5 @@
 #include "viewer/window/Texture.h"
 
-#include <cstdint>
-
 #include "base/ImageFile.h"
 #include "gl/SavedState.h"
 
@@ -10,8 +8,6 @@ namespace radlab {
 Texture::~Texture() {
     if (name) glDeleteTextures(1, &name);
 }
-
-void* Texture::id() const { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(name)); }
 
 void Texture::show(const Image& image) {
     const SavedState saved;

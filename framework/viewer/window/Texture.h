@@ -18,7 +18,8 @@ public:
     /// Takes another picture, ready for display.
     void show(const Image& image);
 
-    void* id() const;
+    /// Its name in OpenGL; 0 before the first picture.
+    GLuint id() const { return name; }
 
 private:
     GLuint name = 0;

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "gl/OpenGL.h"
 #include "viewer/Viewer.h"
 
 namespace radlab {
@@ -19,7 +20,7 @@ struct Ui {
     double framesPerSecond = 0.0;
     std::map<std::string, ImVec4>
         rectangles;  ///< of this frame's controls by name: left, top, right, bottom, in window units
-    ImTextureID idTexture = nullptr, weightTexture = nullptr;  ///< of the picked patch's hemicube
+    GLuint idTexture = 0, weightTexture = 0;  ///< of the picked patch's hemicube; 0: none
 
     float unit(float pixels) const { return pixels * scale; }
 

@@ -78,11 +78,10 @@ private:
         // Where a window unit is several pixels, as on macOS, units are scaled already.
         if (!(look.scale > 0.0f) && width > 0) wanted /= static_cast<float>(pixels) / static_cast<float>(width);
         if (wanted == ui.scale && ui.bold) return;
-        const bool again = ui.bold != nullptr;
         ui.scale = wanted;
         setTheme(ui);
-        if (again) ImGui_ImplOpenGL2_DestroyFontsTexture();
-        if (again) ImGui_ImplOpenGL2_CreateFontsTexture();
+        // What was drawn with the fonts before, which are gone, is made anew in the next frame.
+        ImGui_ImplOpenGL2_DestroyDeviceObjects();
     }
 
     void frame() {
@@ -206,7 +205,7 @@ private:
         const auto& view = viewer.picked().view;
         const bool shown = view && !view->ids.empty();
         if (!shown) {
-            ui.idTexture = ui.weightTexture = nullptr;
+            ui.idTexture = ui.weightTexture = 0;
             textured = nullptr;
             return;
         }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+namespace radlab {
+
+/// The folder for short-lived files, libraries and programs among them.
+///
+/// The system's own ($TMPDIR, or else /tmp); where nothing may be started from there, as on a file system mounted noexec,
+/// /var/tmp or /dev/shm.
+///
+/// Errors: none of them will do.
+std::filesystem::path temporaryPlace();
+
+}  // namespace radlab
