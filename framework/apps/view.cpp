@@ -12,7 +12,7 @@ namespace {
 
 struct Flags {
     std::string scene = RADLAB_SOURCE_DIR "/resources/scenes/cornell_2.x3d";
-    std::string folder = RADLAB_SOURCE_DIR "/out/view";
+    std::string folder = "out/view";
     std::string source, target = "exercise-library";
     bool solution = false;
     double hangSeconds = 10.0;

@@ -199,6 +199,8 @@ TEST_CASE("what a drawing leaves open or unbalanced is undone, too") {
 
 TEST_CASE("a drawing that leaves glBegin open or pops too much is told so") {
     const auto context = GlContext::offscreen();
+    const Framebuffer framebuffer(4, 4, Framebuffer::Color::bytes);
+    framebuffer.bind();  // without one, glBegin is an error of its own and opens nothing
     {
         SavedState saved;
         CHECK_NOTHROW(saved.checkBalance());

@@ -26,7 +26,7 @@ std::string exampleOf(const test::Folder& folder, const std::string& stage) {
     return "";
 }
 
-// The exit code of the example as a test of what lies in ProgRef.cpp; 2 where it does not compile.
+// The exit code of the example as a test of what lies in ProgRef.cpp.
 int outcome(const test::Folder& folder, const std::string& example) {
     writeFile(folder / "example.cpp",
               "#include <doctest/doctest.h>\n#include \"course/PatchMesh.h\"\n"
@@ -43,6 +43,7 @@ int outcome(const test::Folder& folder, const std::string& example) {
     const Ended ended = run({{"/bin/sh", (folder / "build.sh").string()}}, "", limits);
     INFO(ended.output);
     REQUIRE(ended.how == Ended::How::exited);
+    REQUIRE(ended.code != 2);
     return ended.code;
 }
 

@@ -76,7 +76,7 @@ std::vector<std::filesystem::path> filesOfGrader(const Toolchain& toolchain) {
     for (const auto& entry : std::filesystem::directory_iterator(referenceFolder()))
         if (entry.path().extension() == ".png") pictures.push_back(entry.path());
     std::sort(pictures.begin(), pictures.end());
-    files = {"/proc/self/exe", toolchain.worker, RADLAB_TOOLCHAIN, manifestFile()};
+    files = {ownProgram(), toolchain.worker, RADLAB_TOOLCHAIN, manifestFile()};
     files.insert(files.end(), pictures.begin(), pictures.end());
     return files;
 }

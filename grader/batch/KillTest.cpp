@@ -25,6 +25,7 @@
 #include "grader/batch/LocalEngine.h"
 #include "grader/intake/Hash.h"
 #include "grader/sandbox/Pipes.h"
+#include "grader/sandbox/Process.h"
 
 using namespace radlab;
 using namespace radlab::grader;
@@ -120,7 +121,7 @@ private:
         dup2(toIt.reading.get(), allowance);
         dup2(fromIt.writing.get(), report);
         dup2(open("/dev/null", O_WRONLY), 1);
-        execl("/proc/self/exe", "grader-batch-test", "--no-skip", hiddenCase, nullptr);
+        execl(ownProgram().c_str(), "grader-batch-test", "--no-skip", hiddenCase, nullptr);
         _exit(127);
     }
 

@@ -29,6 +29,9 @@ struct ProcessLimits {
     bool stoppable = true;                      ///< whether an interrupt kills it
 };
 
+/// The program that this process runs, also where there is no /proc.
+std::filesystem::path ownProgram();
+
 /// How a program ended, and what it left.
 struct Ended {
     enum class How {

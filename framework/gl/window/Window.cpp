@@ -1,5 +1,7 @@
 #include "gl/window/Window.h"
 
+#include <cstdlib>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -24,6 +26,10 @@ int openWindows = 0;
 }  // namespace
 
 Window::Window(int width, int height, const std::string& title, bool visible) {
+#if defined(GLFW_PLATFORM_X11) && defined(__linux__)
+    // GLFW 3.4 tries Wayland first, whose library prints an error where there is none.
+    if (!std::getenv("WAYLAND_DISPLAY")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (openWindows == 0 && !glfwInit()) fail("no display");
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
