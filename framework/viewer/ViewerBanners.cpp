@@ -12,9 +12,9 @@ std::vector<Banner> Viewer::banners() const {
     if (!compileError.empty()) {
         const char* rest = functions ? "\nThe functions from before stay in use."
                                      : "\nSave the file once it is mended; it is built again.";
-        const std::string file = options.library.source.filename().string();
-        const bool own = compileError.find(file) != std::string::npos;  // else it is the build or the machine
-        all.push_back({Kind::problem, own ? file + " does not compile" : "the build failed", compileError + rest});
+        const std::string source = options.library.source.filename().string();
+        const bool own = compileError.find(source) != std::string::npos;  // else it is the build or the machine
+        all.push_back({Kind::problem, own ? source + " does not compile" : "the build failed", compileError + rest});
     }
     if (const auto& problem = solving->problem()) {
         const std::size_t end = problem->text.find('\n');
