@@ -74,6 +74,7 @@ case $claim in
         has_none new '/(solutions|mutants|attacks|batch|intake|packaging|\.ci)/|Test\.cpp$|grade\.cpp|BENCHMARKS'
         [ -x new/radlab/radlab ] && [ ! -x new/radlab/README.md ] || wrong "$(ls -l new/radlab)"
         cmp "$project/packaging/README-student.md" new/radlab/README.md
+        cmp "$project/packaging/check.yml" new/radlab/.github/workflows/check.yml
         sed 's/^ *//' "$project/solutions/ProgRef.cpp" "$project/solutions/OlderStyle.cpp" \
             "$project"/solutions/extensions/Hemisphere.cpp "$project"/solutions/extensions/AntiAliasing.cpp "$project"/solutions/extensions/Mirror.cpp |
             awk 'length > 45 && !/^\/\/ [A-Z]/ && !/^(MyPolygon\*|void) [a-zA-Z]+\(const .*[{,]$/ && !/^for \(std::size_t i = 0; i < polygons/' | LC_ALL=C sort -u >lines

@@ -227,8 +227,8 @@ TEST_CASE("Classroom 50: a student's own .classroom50.yaml does not make a submi
     CHECK(idsIn(root(single)) == Names{"cs-radiosity-ann-ben"});
 
     const test::Folder pair;  // two that do not agree
-    putClone(pair / "cs-radiosity-ann", "cs", "radiosity");
-    putClone(pair / "cs-radiosity-ben", "c", "s-radiosity-x");
+    putClone(pair / "cs-a-radiosity-ann", "cs-a", "radiosity");
+    putClone(pair / "cs-a-radiosity-ben", "cs", "a");
     CHECK(idsIn(root(pair)) == Names{"ann", "ben"});
 }
 
