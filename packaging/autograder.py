@@ -35,6 +35,7 @@ def write(file, text):
     """Whole, and in the place of a link rather than where it leads."""
     with tempfile.NamedTemporaryFile("w", dir=".", delete=False, encoding="utf-8") as part:
         part.write(text)
+    os.chmod(part.name, 0o644)
     os.replace(part.name, file)
 
 
