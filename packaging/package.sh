@@ -1,11 +1,12 @@
 #!/bin/sh
-# Packs radlab for others: package.sh student|gradescope [FILE]
+# Packs radlab for others: package.sh student|gradescope|classroom50 [FILE]
 set -eu
 
 usage() {
     cat <<'END'
-usage: ./radlab package student [FILE]     what students get, without the solutions: out/radlab-student.zip
-       ./radlab package gradescope [FILE]  the autograder to upload to Gradescope: out/autograder.zip
+usage: ./radlab package student [FILE]      what students get, without the solutions: out/radlab-student.zip
+       ./radlab package gradescope [FILE]   the autograder to upload to Gradescope: out/autograder.zip
+       ./radlab package classroom50 [FILE]  the autograder for an assignment of Classroom 50: out/classroom50.zip
 
 What is packed is what git has in its index, as it stands in the working tree; without git, the folders of the project.
 END
@@ -17,8 +18,9 @@ kind=${1-}
 case $kind in
     student) file=${2-out/radlab-student.zip} ;;
     gradescope) file=${2-out/autograder.zip} ;;
+    classroom50) file=${2-out/classroom50.zip} ;;
     --help | -h) usage; exit ;;
-    *) fail "found '$kind', expected student or gradescope" ;;
+    *) fail "found '$kind', expected student, gradescope or classroom50" ;;
 esac
 [ $# -le 2 ] || fail "found '$3', expected one file to write"
 case $file in *.zip) ;; *) fail "$file: expected a name that ends in .zip" ;; esac
@@ -75,6 +77,20 @@ copy() {
     chmod 755 "$1/radlab"
 }
 
+# The kit, and beside it at the top what runs it there.
+autograder() {
+    copy "$work/zip/radlab"
+    for script; do cp "$root/packaging/$script" "$work/zip/"; done
+    (cd "$work/zip" && chmod 755 "$@")
+}
+
+# Where Classroom 50 is to run it, with the packages that the script radlab would install.
+runtime() {
+    eval "$(sed -n "/^build_packages='/,/'\$/p" "$root/radlab")"
+    # shellcheck disable=SC2086,SC2154
+    printf '{"runs-on": "ubuntu-24.04", "apt": [%s]}\n' "$(printf '"%s"\n' $build_packages | paste -sd, -)"
+}
+
 # Whole or not at all.
 zip_all() {
     cd "$work/zip"
@@ -97,13 +113,16 @@ case $kind in
     student)
         copy "$work/zip/radlab"
         mkdir -p "$work/zip/radlab/.github/workflows"
-        cp "$root/packaging/classroom.yml" "$work/zip/radlab/.github/workflows/check.yml"
+        cp "$root/packaging/check.yml" "$work/zip/radlab/.github/workflows/check.yml"
         zip_all
         say "next: unpack it in an empty folder and run ./radlab check there" ;;
     gradescope)
-        copy "$work/zip/radlab"
-        cp "$root/packaging/setup.sh" "$root/packaging/run_autograder" "$work/zip/"
-        chmod 755 "$work/zip/setup.sh" "$work/zip/run_autograder"
+        autograder setup.sh run_autograder judge.sh
         zip_all
         say "next: upload it as the assignment's autograder, on an image with CMake 3.25 and GCC 12 or newer (Ubuntu 24.04, Debian 12)" ;;
+    classroom50)
+        autograder autograder.py judge.sh
+        runtime >"$work/zip/runtime.json"
+        zip_all
+        say "next: unpack it in CLASSROOM/autograders/ASSIGNMENT/ of your repository classroom50, and give the assignment the block in runtime.json" ;;
 esac

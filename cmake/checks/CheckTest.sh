@@ -77,23 +77,25 @@ case $claim in
         run 6 --file "$project/solutions/ProgRef.cpp"
         exits 0
         ! grep -q extension out || wrong "$(cat out)" ;;
-    "every verdict is written, also on a file that does not compile, and Gradescope's where there is none")
+    "every verdict is written, also on a file that does not compile, and that of autograders where there is none")
         printf '#include "ProgRef.h"\n\nint a = b;\n' >wrong.cpp
-        run --file wrong.cpp --json verdict.json --junit verdict.xml --gradescope results.json --html --out page
+        run --file wrong.cpp --json verdict.json --junit verdict.xml --gradescope results.json --classroom50 result.json --html --out page
         exits 2
         says out 'wrong.cpp:3:9: error: '
         says verdict.json '"compiled": false'
         says verdict.xml 'wrong.cpp:3:9: error: '
         says results.json 'wrong.cpp:3:9: error: '
         says results.json '"score": 0'
+        says result.json '"max-score": 100,'
         says page/index.html 'wrong.cpp:3:9: error: '
         printf ' \n' >empty.cpp
         for file in empty.cpp absent.cpp .; do
-            rm results.json
-            run --file "$file" --gradescope results.json --json nothing.json
+            rm results.json result.json
+            run --file "$file" --gradescope results.json --classroom50 result.json --json nothing.json
             exits 2
             says err "$file: found no such file or an empty one"
             says results.json 'There was no file to grade, or an empty one.'
+            says result.json '"max-score": 100,'
             [ ! -e nothing.json ] || wrong "a verdict on nothing"
         done
         run 1 --file "$project/solutions/ProgRef.cpp" --gradescope results.json

@@ -26,7 +26,7 @@ struct Flags {
     std::uint64_t seed = 1;
     unsigned jobs = 0;
     bool hint = false, html = false, open = false, watch = false;
-    std::string out = "out/check", json, junit, gradescope;
+    std::string out = "out/check", json, junit, gradescope, classroom50;
 };
 
 void describe(CLI::App& app, Flags& flags) {
@@ -45,6 +45,8 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--json", flags.json, "Write the verdict to this file");
     app.add_option("--junit", flags.junit, "Write the verdict to this file in the form of JUnit");
     app.add_option("--gradescope", flags.gradescope, "Write the verdict to this file in the form of Gradescope");
+    app.add_option("--classroom50", flags.classroom50,
+                   "Write score and tests to this file in the form of Classroom 50");
     app.add_option("--seed", flags.seed, "What the cases are drawn from")->capture_default_str();
     app.add_option("--jobs", flags.jobs, "Processes at once; 0 is one a core")->capture_default_str();
     app.footer(
@@ -64,7 +66,7 @@ void openInBrowser(const std::filesystem::path& page) {
 }
 
 CheckReports reportsOf(const Flags& flags) {
-    return {flags.json, flags.junit, flags.gradescope, flags.html || flags.open ? flags.out : ""};
+    return {flags.json, flags.junit, flags.gradescope, flags.classroom50, flags.html || flags.open ? flags.out : ""};
 }
 
 void report(const StudentResult& verdict, const Flags& flags) {
@@ -74,13 +76,15 @@ void report(const StudentResult& verdict, const Flags& flags) {
     if (flags.open) openInBrowser(page);
 }
 
-// Gradescope wants a verdict on nothing, too.
-void expectText(const Flags& flags) {
+// Gradescope and Classroom 50 want a verdict on nothing, too.
+void expectText(const FileChecker& checker, const std::vector<std::string>& stages, const Flags& flags) {
     std::error_code failure;
     if (std::filesystem::is_regular_file(flags.file, failure) &&
         radlab::readFile(flags.file).find_first_not_of(" \t\r\n") != std::string::npos)
         return;
-    report({}, flags);
+    StudentResult verdict;
+    verdict.result = checker.notCompiled(stages, "");
+    report(verdict, flags);
     throw radlab::Error({flags.file}, "found no such file or an empty one, expected a C++ file with the six functions");
 }
 
@@ -145,7 +149,7 @@ int judged(const FileChecker& checker, const Flags& flags) {
     std::vector<std::string> stages;
     if (!flags.stage.empty()) stages.push_back(checker.manifest().find(flags.stage).stage);
     if (flags.watch) return watch(checker, options);
-    expectText(flags);
+    expectText(checker, stages, flags);
     return check(checker, stages, flags);
 }
 

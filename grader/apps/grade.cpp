@@ -44,8 +44,9 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 }
 
 void describe(CLI::App& app, Flags& flags) {
-    app.add_option("submissions", flags.submissions,
-                   "The folder with a folder or an archive per student, as Canvas, Moodle or GitHub Classroom give it");
+    app.add_option(
+        "submissions", flags.submissions,
+        "The folder with a folder, repository or archive per student, as Canvas, Moodle or Classroom 50 give it");
     app.add_option("--out", flags.out, "The folder of the store (grades.db) and of the pages (grades/)")
         ->capture_default_str();
     app.add_option("--seed", flags.seed, "What the cases are drawn from; another seed marks all anew")

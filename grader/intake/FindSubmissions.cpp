@@ -10,6 +10,7 @@
 #include "grader/intake/DownloadName.h"
 #include "grader/intake/Layout.h"
 #include "grader/intake/Remarks.h"
+#include "grader/intake/Repositories.h"
 #include "grader/intake/StudentId.h"
 #include "grader/intake/Submission.h"
 
@@ -24,25 +25,30 @@ bool isNoSubmission(const std::string& name) {
     return name.front() == '.' || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool holdsRepositories(const fs::path& folder, const std::vector<FolderEntry>& entries) {
+    return std::any_of(entries.begin(), entries.end(),
+                       [&](const FolderEntry& entry) { return isRepository(folder, entry); });
+}
+
 std::vector<FolderEntry> studentsEntries(const fs::path& folder) {
     try {
         auto entries = entriesOf(openPlace(folder.string()), SIZE_MAX);
         std::erase_if(*entries, [](const FolderEntry& entry) { return isNoSubmission(entry.name); });
+        // gh teacher download lays a table of all marks beside the repositories.
+        if (holdsRepositories(folder, *entries))
+            std::erase_if(*entries, [](const FolderEntry& entry) { return entry.name == "scores.csv"; });
         return std::move(*entries);
     } catch (const NotTaken& reason) {
         throw Error({folder.string()}, reason.what());
     }
 }
 
-// gh classroom clone student-repos makes one folder, and the repositories in it.
+// gh makes one folder, and the repositories in it.
 fs::path folderOfRepositories(const fs::path& folder, const std::vector<FolderEntry>& entries) {
-    if (entries.size() != 1 || !S_ISDIR(entries[0].about.st_mode) || !entries[0].name.ends_with("-submissions"))
+    if (entries.size() != 1 || !S_ISDIR(entries[0].about.st_mode) || beginningToldBy(entries[0].name).empty())
         return folder;
     const fs::path inner = folder / entries[0].name;
-    const std::vector<FolderEntry> inside = studentsEntries(inner);
-    const bool holdsThem =
-        std::any_of(inside.begin(), inside.end(), [&](const FolderEntry& entry) { return isRepository(inner, entry); });
-    return holdsThem ? inner : folder;
+    return holdsRepositories(inner, studentsEntries(inner)) ? inner : folder;
 }
 
 // "2026-11-23T08:15:00Z"
@@ -128,7 +134,7 @@ std::vector<Submission> findSubmissions(const fs::path& folder) {
     if (inner != real) entries = studentsEntries(inner);
     if (entries.empty())
         throw Error({folder.string()}, "no submission: expected a folder, an archive or a file a student");
-    return submissionsOf(piecesOf(entries, inner, inner.filename().string()), inner);
+    return submissionsOf(piecesOf(entries, inner), inner);
 }
 
 }  // namespace radlab::grader

@@ -44,6 +44,26 @@ void setTime(const fs::path& file, std::time_t time) {
 
 using Names = std::vector<std::string>;
 
+// A clone as Classroom 50 leaves it, saying that it belongs to this classroom and assignment.
+void putClone(const fs::path& clone, const std::string& classroom, const std::string& assignment) {
+    put(clone / ".git/config");
+    put(clone / ".classroom50.yaml", "schema: \"classroom50/repo-config/v1\"\nclassroom: \"" + classroom +
+                                         "\"\nassignment: \"" + assignment + "\"\n");
+    put(clone / "exercises/ProgRef.cpp");
+    put(clone / "result.json", R"({"schema": "classroom50/result/v1", "score": 100, "max-score": 100})");
+    put(clone / "results.json", "[]");
+}
+
+Names idsIn(const fs::path& folder) {
+    Names ids;
+    for (const auto& [id, submission] : foundIn(folder)) {
+        CHECK(submission.student.account == id);
+        CHECK(take(submission, test::rules()).outcome == Outcome::graded);
+        ids.push_back(id);
+    }
+    return ids;
+}
+
 }  // namespace
 
 TEST_CASE("a folder, an archive or a file a student, whatever lies beside them") {
@@ -162,6 +182,91 @@ TEST_CASE("GitHub Classroom: the folder that gh makes names the assignment, also
     const test::Folder single;  // nothing tells where the login begins
     put(single / "radiosity-ann/.git/config");
     CHECK(foundIn(root(single)).count("radiosity-ann") == 1);
+}
+
+TEST_CASE("Classroom 50: the login is what follows classroom and assignment, and the table of marks is no student") {
+    const test::Folder folder;
+    const fs::path inner = folder / "cs-a-radiosity-1_submissions_2026_11_23_T_08_15_00";
+    for (const char* login : {"ann-a", "ann-b"})
+        putClone(inner / (std::string("cs-a-radiosity-1-") + login), "cs-a", "radiosity-1");
+    put(inner / "scores.csv", "username,score\nann-a,90\n");
+    CHECK(idsIn(inner) == Names{"ann-a", "ann-b"});
+    CHECK(idsIn(root(folder)) == Names{"ann-a", "ann-b"});
+    fs::remove_all(inner / "cs-a-radiosity-1-ann-b");
+    CHECK(idsIn(inner) == Names{"ann-a"});
+}
+
+TEST_CASE("Classroom 50: in a folder of any name, what most clones say of themselves tells where the login begins") {
+    const test::Folder folder;
+    for (const char* login : {"ann-a", "ann-b", "ann-c"})
+        putClone(folder / (std::string("cs-a-radiosity-1-") + login), "CS-A", "radiosity-1");
+    CHECK(idsIn(root(folder)) == Names{"ann-a", "ann-b", "ann-c"});
+    put(folder / "scores.csv");
+    CHECK(idsIn(root(folder)) == Names{"ann-a", "ann-b", "ann-c"});
+}
+
+TEST_CASE("Classroom 50: a student's own .classroom50.yaml does not make a submission somebody else's") {
+    const test::Folder folder;
+    const fs::path forged = folder / "cs-radiosity-ann-ben";
+    for (const char* login : {"ben", "cy"})
+        putClone(folder / (std::string("cs-radiosity-") + login), "cs", "radiosity");
+    putClone(forged, "cs-radiosity", "ann");  // would be ben
+    CHECK(idsIn(root(folder)) == Names{"ann-ben", "ben", "cy"});
+    for (const std::string& yaml :
+         {std::string(), std::string(100000, 'x'), std::string("classroom: ../..\nassignment:"),
+          std::string("\0classroom: \xff\n", 14)}) {
+        put(forged / ".classroom50.yaml", yaml);
+        CHECK(idsIn(root(folder)) == Names{"ann-ben", "ben", "cy"});
+    }
+    fs::remove(forged / ".classroom50.yaml");
+    fs::create_symlink("/dev/zero", forged / ".classroom50.yaml");
+    CHECK(idsIn(root(folder)) == Names{"ann-ben", "ben", "cy"});
+
+    const test::Folder single;  // the only one is no majority
+    putClone(single / "cs-radiosity-ann-ben", "cs-radiosity", "ann");
+    CHECK(idsIn(root(single)) == Names{"cs-radiosity-ann-ben"});
+
+    const test::Folder pair;  // two that do not agree
+    putClone(pair / "cs-a-radiosity-ann", "cs-a", "radiosity");
+    putClone(pair / "cs-a-radiosity-ben", "cs", "a");
+    CHECK(idsIn(root(pair)) == Names{"ann", "ben"});
+}
+
+TEST_CASE("Classroom 50: early versions put the login first") {
+    const test::Folder folder;
+    const fs::path inner = folder / "school_submissions_2026_05_09_T_14_30_45";
+    for (const char* login : {"ann-a", "ben", "cy"})
+        putClone(inner / (std::string(login) + "-radiosity-1"), "cs", "radiosity-1");
+    CHECK(idsIn(inner) == Names{"ann-a", "ben", "cy"});
+    for (const char* login : {"ann-a", "ben"})
+        fs::remove(inner / (std::string(login) + "-radiosity-1/.classroom50.yaml"));
+    CHECK(idsIn(inner) == Names{"ann-a-radiosity-1", "ben-radiosity-1", "cy-radiosity-1"});
+}
+
+TEST_CASE("Classroom 50: what the web app downloads is an archive of a repository a login") {
+    const test::Folder folder;
+    for (const std::string login : {"ann-a", "ben"}) {
+        const std::string top = "school-cs-radiosity-" + login + "-0123abc/";
+        put(folder / (login + ".zip"), test::pack({{top + "exercises/ProgRef.cpp"},
+                                                   {top + "exercises/extensions/Mirror.cpp"},
+                                                   {top + ".classroom50.yaml", "classroom: \"x\"\n"},
+                                                   {top + "result.json", "{}"}}));
+    }
+    CHECK(idsIn(root(folder)) == Names{"ann-a", "ben"});
+}
+
+TEST_CASE("repositories cloned by hand are called as their folders are") {
+    const test::Folder folder;
+    for (const char* name : {"Ann Archer", "ben", "cy-d"}) {
+        put(folder / name / ".git/config");
+        put(folder / name / "exercises/ProgRef.cpp");
+    }
+    put(folder / "scores.csv");
+    const auto found = foundIn(root(folder));
+    REQUIRE(found.size() == 3);
+    CHECK(found.at("Ann-Archer").student.name == "Ann Archer");
+    CHECK(found.count("ben") == 1);
+    CHECK(found.count("cy-d") == 1);
 }
 
 TEST_CASE("links, pipes, sockets and devices are students with a remark and without a place") {

@@ -5,12 +5,11 @@
 #include <optional>
 
 #include "grader/intake/DownloadName.h"
+#include "grader/intake/Repositories.h"
 
 namespace radlab::grader {
 
 namespace {
-
-constexpr std::string_view submissionsFolder = "-submissions";  // of gh classroom clone student-repos
 
 using Read = std::function<std::optional<Piece>(const FolderEntry&)>;
 
@@ -47,32 +46,17 @@ std::optional<Piece> moodlePiece(const FolderEntry& entry) {
     return piece;
 }
 
-// What repositories are called before the login; empty where nothing tells.
-std::string assignmentOf(const std::vector<std::string>& names, const std::string& className) {
-    const auto allBegin = [&](const std::string& text) {
-        return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-            return name.size() > text.size() && name.rfind(text, 0) == 0;
-        });
-    };
-    const std::size_t rest = className.size() - std::min(className.size(), submissionsFolder.size());
-    std::string told = className.substr(0, rest) + "-";
-    if (rest > 0 && className.substr(rest) == submissionsFolder && allBegin(told)) return told;
-    std::string common = names.size() < 2 ? "" : names.front();
-    while (!common.empty() && (common.back() != '-' || !allBegin(common))) common.pop_back();
-    return common;
-}
-
-Read repositoryReader(const std::vector<FolderEntry>& entries, const std::filesystem::path& folder,
-                      const std::string& className) {
+Read repositoryReader(const std::vector<FolderEntry>& entries, const std::filesystem::path& folder) {
     std::vector<std::string> names;
     for (const FolderEntry& entry : entries)
         if (isRepository(folder, entry)) names.push_back(entry.name);
-    return [names, assignment = assignmentOf(names, className)](const FolderEntry& entry) -> std::optional<Piece> {
+    return [names, around = aroundLogin(names, folder)](const FolderEntry& entry) -> std::optional<Piece> {
         if (std::find(names.begin(), names.end(), entry.name) == names.end()) return {};
         Piece piece;
         piece.owner = ownerOf(entry.name, "");
         piece.name = entry.name;
-        piece.id = piece.account = entry.name.substr(assignment.size());
+        const std::size_t length = entry.name.size() - around.before.size() - around.after.size();
+        piece.id = piece.account = entry.name.substr(around.before.size(), length);
         return piece;
     };
 }
@@ -88,20 +72,14 @@ Piece plainPiece(const FolderEntry& entry) {
 
 }  // namespace
 
-bool isRepository(const std::filesystem::path& folder, const FolderEntry& entry) {
-    struct stat about = {};
-    return S_ISDIR(entry.about.st_mode) && lstat((folder / entry.name / ".git").c_str(), &about) == 0;
-}
-
-std::vector<Piece> piecesOf(const std::vector<FolderEntry>& entries, const std::filesystem::path& folder,
-                            const std::string& className) {
+std::vector<Piece> piecesOf(const std::vector<FolderEntry>& entries, const std::filesystem::path& folder) {
     const auto isMost = [&](const Read& read) {
         const auto count = std::count_if(entries.begin(), entries.end(),
                                          [&](const FolderEntry& entry) { return read(entry).has_value(); });
         return 2 * static_cast<std::size_t>(count) > entries.size();
     };
     Read layout = [](const FolderEntry&) { return std::nullopt; };
-    for (const Read& read : {Read(moodlePiece), Read(canvasPiece), repositoryReader(entries, folder, className)}) {
+    for (const Read& read : {Read(moodlePiece), Read(canvasPiece), repositoryReader(entries, folder)}) {
         if (!isMost(read)) continue;
         layout = read;
         break;

@@ -25,12 +25,7 @@ struct Piece {
 
 /// What the entries of a class' folder are, by the layout that more than half of them have.
 ///
-/// @param folder    where they lie
-/// @param className the folder's name, which may tell the name of an assignment
-std::vector<Piece> piecesOf(const std::vector<FolderEntry>& entries, const std::filesystem::path& folder,
-                            const std::string& className);
-
-/// Whether a folder of a class' folder is a repository.
-bool isRepository(const std::filesystem::path& folder, const FolderEntry& entry);
+/// @param folder where they lie; its name may tell what repositories are called
+std::vector<Piece> piecesOf(const std::vector<FolderEntry>& entries, const std::filesystem::path& folder);
 
 }  // namespace radlab::grader

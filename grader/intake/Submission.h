@@ -44,11 +44,12 @@ struct Taken {
     std::string hash;                          ///< SHA-256 over names and contents, in hexadecimal; empty without files
 };
 
-/// The students of a class, sorted by id, as the download of Canvas, Moodle or GitHub Classroom lays them out, or as
-/// a folder, archive or file a student.
+/// The students of a class, sorted by id, as the download of Canvas, Moodle, Classroom 50 or the former GitHub Classroom
+/// lays them out, or as a folder, archive or file a student.
 ///
 /// The layout is the one by which more than half of the entries are named; each other entry is a student, too. Nothing
-/// is opened but the folder itself (and the folder of repositories that gh makes in it), and no link is followed.
+/// is opened but the folder itself (and the folder of repositories that gh makes in it) and what repositories say of
+/// themselves (see aroundLogin), and no link is followed.
 /// Hidden entries, and what operating systems leave behind, are passed over. An id depends on the names alone, never on
 /// their order; where two are alike but for upper and lower case, both get a hash of their names.
 /// Errors: no such folder, one that cannot be read, one without any submission.

@@ -3,11 +3,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "base/TestFolder.h"
-#include "base/WholeFile.h"
 #include "grader/report/ClassCsv.h"
 #include "grader/report/Gradescope.h"
-#include "grader/report/HtmlReport.h"
 #include "grader/report/JUnit.h"
 #include "grader/report/PageTestHelp.h"
 #include "grader/report/SampleClass.h"
@@ -37,11 +34,6 @@ Result extensionsAlone() {
 Result beside(Result result) {
     result.extensions = extensionsAlone().extensions;
     return result;
-}
-
-std::string pageOf(const Result& result) {
-    const radlab::test::Folder folder;
-    return radlab::readFile(writeHtmlReport(result, folder / "report"));
 }
 
 }  // namespace
@@ -77,7 +69,7 @@ TEST_CASE("extensions: beside the stages, score, verdict and next step stay thos
 }
 
 TEST_CASE("extensions: the page shows them after the stages, and alone it shows no mark") {
-    const std::string both = pageOf(beside(oneWrong())), alone = pageOf(extensionsAlone());
+    const std::string both = verdictPage(beside(oneWrong())), alone = verdictPage(extensionsAlone());
     for (const std::string& page : {both, alone}) {
         CHECK(contains(page, "hemisphereFF"));
         CHECK(contains(page, "extension, beside the marks: form factors by rays"));

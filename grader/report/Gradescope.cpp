@@ -74,13 +74,13 @@ private:
     }
 
     Json test(const StageResult& stage, const CheckResult& check, const std::string& number) const {
-        Json json = {{"name", (isExtension(stage) ? "extension " : "") + stageName(stage) + ": " +
-                                  cut(oneLine(check.name.empty() ? check.id : check.name))},
-                     {"number", number},
-                     {"status", check.status == Status::pass ? "passed" : "failed"},
-                     {"output", explanation(check)},
-                     {"tags", {stageName(stage)}},
-                     {"visibility", "visible"}};
+        Json json = {
+            {"name", (isExtension(stage) ? "extension " : "") + stageName(stage) + ": " + cut(claimText(check))},
+            {"number", number},
+            {"status", check.status == Status::pass ? "passed" : "failed"},
+            {"output", explanation(check)},
+            {"tags", {stageName(stage)}},
+            {"visibility", "visible"}};
         if (check.maxScore > 0.0 && !isExtension(stage)) {
             json["score"] = check.score;
             json["max_score"] = check.maxScore;

@@ -17,11 +17,6 @@ using radlab::test::Folder;
 
 namespace {
 
-std::string pageOf(const Result& result) {
-    const Folder folder;
-    return radlab::readFile(writeHtmlReport(result, folder / "report"));
-}
-
 Picture picture() { return {"a room", Image(4, 3), Image(4, 3, glm::vec3(1)), Image(4, 3), 0.03125, 0.01}; }
 
 #ifdef RADLAB_HAVE_STB
@@ -33,7 +28,7 @@ constexpr bool canHoldPictures = false;
 }  // namespace
 
 TEST_CASE("page: shows the verdict, each stage and each check with what was found") {
-    const std::string page = pageOf(oneWrong());
+    const std::string page = verdictPage(oneWrong());
     CHECK(contains(page, "<h1>4 of 6 functions are right.</h1>"));
     CHECK(contains(page, "Next: mend calcAnalyticalFF (stage 2) in exercises/ProgRef.cpp, then"));
     CHECK(countOf(page, "<section ") == 7);
@@ -48,7 +43,7 @@ TEST_CASE("page: shows the verdict, each stage and each check with what was foun
 TEST_CASE("page: what a check has not is not shown, not even as an empty heading") {
     Result result = oneWrong();
     result.stages[1].checks = {check("x", "bare", Status::fail, 0)};
-    const std::string page = pageOf(result);
+    const std::string page = verdictPage(result);
     for (const char* text :
          {"What is wrong", "Where to look", "What it printed", "as C++", "<figure>", "<p class=\"said\">"}) {
         CAPTURE(text);
@@ -57,26 +52,27 @@ TEST_CASE("page: what a check has not is not shown, not even as an empty heading
 }
 
 TEST_CASE("page: each state of things has its verdict") {
-    CHECK(contains(pageOf(resultWith(Status::pass)), "<h1>All functions are right.</h1>"));
-    CHECK(contains(pageOf(resultWith(Status::notStarted)), "<h1>Nothing is written yet, so nothing is wrong.</h1>"));
-    CHECK(contains(pageOf(resultWith(Status::error)), "<h1>The grader or the machine failed."));
-    CHECK(contains(pageOf(resultWith(Status::error)), "marks, not final"));
+    CHECK(contains(verdictPage(resultWith(Status::pass)), "<h1>All functions are right.</h1>"));
+    CHECK(
+        contains(verdictPage(resultWith(Status::notStarted)), "<h1>Nothing is written yet, so nothing is wrong.</h1>"));
+    CHECK(contains(verdictPage(resultWith(Status::error)), "<h1>The grader or the machine failed."));
+    CHECK(contains(verdictPage(resultWith(Status::error)), "marks, not final"));
     Result one = resultWith(Status::pass);
     one.stages.resize(1);
-    CHECK(contains(pageOf(one), "<h1>1 of 1 function is right.</h1>"));
-    CHECK(contains(pageOf(Result()), "<h1>0 of 0 functions are right.</h1>"));
+    CHECK(contains(verdictPage(one), "<h1>1 of 1 function is right.</h1>"));
+    CHECK(contains(verdictPage(Result()), "<h1>0 of 0 functions are right.</h1>"));
 }
 
 TEST_CASE("page: stages and checks that nobody asked for are left out") {
     Result result = oneWrong();
     result.stages[0].status = Status::skipped;
     result.stages[1].checks[4].status = Status::skipped;
-    CHECK(countOf(pageOf(result), "<section ") == 6);
-    CHECK(countOf(pageOf(result), "<article ") == 4);
+    CHECK(countOf(verdictPage(result), "<section ") == 6);
+    CHECK(countOf(verdictPage(result), "<article ") == 4);
 }
 
 TEST_CASE("page: texts of a submission are text, never markup, template or control") {
-    const std::string page = pageOf(withTexts(oneWrong(), hostileText()));
+    const std::string page = verdictPage(withTexts(oneWrong(), hostileText()));
     CHECK_FALSE(contains(page, "<script"));
     CHECK_FALSE(contains(page, "<img"));
     CHECK_FALSE(contains(page, "\x1b"));
@@ -90,13 +86,13 @@ TEST_CASE("page: texts of a submission are text, never markup, template or contr
 TEST_CASE("page: a very long output is cut, and the page says so") {
     Result result = oneWrong();
     result.stages[1].checks[1].output = std::string(10 << 20, '\x1b');
-    const std::string page = pageOf(result);
+    const std::string page = verdictPage(result);
     CHECK(page.size() < 400000);
     CHECK(contains(page, "… and 10420224 bytes more"));
 }
 
 TEST_CASE("page: nothing comes from elsewhere and no script runs") {
-    const std::string page = pageOf(oneWrong());
+    const std::string page = verdictPage(oneWrong());
     for (const char* text : {"http://", "https://", "<script", "@import", "<link"}) {
         CAPTURE(text);
         CHECK_FALSE(contains(page, text));

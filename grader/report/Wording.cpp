@@ -149,6 +149,8 @@ const CheckResult* firstCheck(const StageResult& stage, Status status) {
     return nullptr;
 }
 
+std::string claimText(const CheckResult& check) { return oneLine(check.name.empty() ? check.id : check.name); }
+
 std::string hintOf(const CheckResult& check) {
     return check.diagnosis && !check.diagnosis->hint.empty() ? check.diagnosis->hint : check.hint;
 }

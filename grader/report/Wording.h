@@ -58,6 +58,9 @@ std::string verdictText(const Result& result);
 /// The first check of a stage with a status, or nullptr.
 const CheckResult* firstCheck(const StageResult& stage, Status status);
 
+/// What a check claims, or its id where it says nothing; on one line, and safe to show.
+std::string claimText(const CheckResult& check);
+
 /// The hint of a check: its diagnosis' own, or else its own.
 std::string hintOf(const CheckResult& check);
 
