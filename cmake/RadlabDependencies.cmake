@@ -1,4 +1,4 @@
-# The libraries that radlab builds on. The student's part needs GLM, tinyxml2, GLFW, OSMesa (or EGL) and
+# The libraries that radlab builds on. The student's part needs GLM, tinyxml2, GLFW, EGL (or OSMesa) and
 # doctest; what else is missing is left out with one line that says so.
 
 find_package(Threads REQUIRED)
@@ -42,6 +42,8 @@ set(OpenGL_GL_PREFERENCE GLVND)
 find_package(OpenGL)
 find_path(OPENGL_HEADERS NAMES GL/gl.h OpenGL/gl.h)
 
+# Mesa has no OSMesa since 25.1, and a program can draw with one of the two only: their libraries define the same functions.
+option(RADLAB_OSMESA "Draw with OSMesa where there is EGL, too" OFF)
 find_library(OSMESA_LIBRARY OSMesa)
 find_path(OSMESA_INCLUDE_DIR GL/osmesa.h)
 
@@ -52,11 +54,10 @@ endfunction()
 set(RADLAB_HAVE_OSMESA OFF)
 set(RADLAB_HAVE_EGL OFF)
 set(RADLAB_HAVE_WINDOW OFF)
-if(OSMESA_LIBRARY AND OSMESA_INCLUDE_DIR)
-  set(RADLAB_HAVE_OSMESA ON)
-endif()
-if(TARGET OpenGL::EGL)
+if(TARGET OpenGL::EGL AND NOT RADLAB_OSMESA)
   set(RADLAB_HAVE_EGL ON)
+elseif(OSMESA_LIBRARY AND OSMESA_INCLUDE_DIR)
+  set(RADLAB_HAVE_OSMESA ON)
 endif()
 if(glfw3_FOUND AND OpenGL_FOUND)
   set(RADLAB_HAVE_WINDOW ON)
@@ -70,7 +71,7 @@ else()
   radlab_missing("Dear ImGui, GLFW, stb or nlohmann-json" "no view")
 endif()
 if(NOT RADLAB_HAVE_OSMESA AND NOT RADLAB_HAVE_EGL)
-  radlab_missing("OSMesa or EGL" "programs without a display use a hidden GLFW window instead")
+  radlab_missing("EGL or OSMesa" "programs without a display use a hidden GLFW window instead")
 endif()
 if(NOT STB_INCLUDE_DIR)
   radlab_missing("stb" "no PNG or HDR files can be read or written, so no demo")

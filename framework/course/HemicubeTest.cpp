@@ -233,18 +233,3 @@ TEST_CASE("IDs of 1, 2 and 3 bytes come back as they were drawn, whatever state 
         CHECK(hemicube.getIndex(9, 22) == id);
     }
 }
-
-TEST_CASE("OSMesa and EGL give the same IDs") {
-    std::vector<std::vector<int>> buffers;
-    for (const std::string& kind : GlContext::offscreenKinds()) {
-        const auto context = GlContext::offscreen(kind);
-        Hemicube hemicube(128);
-        const auto mesh = cube(1.0f, 0.07f);
-        row(hemicube, 11);
-        buffers.emplace_back();
-        for (int y = 0; y < 256; ++y)
-            for (int x = 0; x < 256; ++x) buffers.back().push_back(hemicube.getIndex(x, y));
-    }
-    for (const auto& buffer : buffers) CHECK(buffer == buffers[0]);
-    MESSAGE("kinds of context compared: " << buffers.size());
-}

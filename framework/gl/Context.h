@@ -10,21 +10,17 @@ namespace radlab {
 
 /// An OpenGL context in which everything is drawn: OSMesa, EGL without a surface, or a GLFW window.
 ///
-/// A program links one provider (gl/headless or gl/window), which says what offscreen() makes.
+/// A program links one provider (a file of gl/headless, or gl/window), which says what offscreen() makes.
 class GlContext {
 public:
     /// A context without a display, made current.
     ///
-    /// Headless programs take OSMesa, or EGL where OSMesa is absent or the environment says RADLAB_GL=egl;
-    /// programs with a window take a hidden window.
-    /// Errors: an unknown RADLAB_GL, or none that works here, with what each one said.
+    /// Programs without a window draw with EGL, or with OSMesa where the build found no EGL; programs with one, in a hidden window.
+    /// Errors: it does not work here; the environment's RADLAB_GL asks for another.
     static std::unique_ptr<GlContext> offscreen();
 
-    /// The names that RADLAB_GL takes in this program.
-    static std::vector<std::string> offscreenKinds();
-
-    /// The context of that name, made current.
-    static std::unique_ptr<GlContext> offscreen(const std::string& kind);
+    /// What offscreen() makes in this program, as RADLAB_GL names it: "egl", "osmesa" or "window".
+    static std::string offscreenKind();
 
     /// The context that this thread draws in.
     ///
@@ -51,6 +47,7 @@ protected:
     GlContext() = default;
 
 private:
+    static std::unique_ptr<GlContext> makeOffscreen();
     virtual void bind() = 0;
     virtual void* address(const char* function) const = 0;
     void load();

@@ -3,7 +3,7 @@
 #include <EGL/eglext.h>
 
 #include "base/Error.h"
-#include "gl/headless/Providers.h"
+#include "gl/Context.h"
 
 namespace radlab {
 
@@ -62,6 +62,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<GlContext> makeEglContext() { return std::make_unique<EglContext>(); }
+std::string GlContext::offscreenKind() { return "egl"; }
+
+std::unique_ptr<GlContext> GlContext::makeOffscreen() { return std::make_unique<EglContext>(); }
 
 }  // namespace radlab

@@ -3,7 +3,7 @@
 #include <GL/osmesa.h>
 
 #include "base/Error.h"
-#include "gl/headless/Providers.h"
+#include "gl/Context.h"
 
 namespace radlab {
 
@@ -38,6 +38,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<GlContext> makeOsMesaContext() { return std::make_unique<OsMesaContext>(); }
+std::string GlContext::offscreenKind() { return "osmesa"; }
+
+std::unique_ptr<GlContext> GlContext::makeOffscreen() { return std::make_unique<OsMesaContext>(); }
 
 }  // namespace radlab

@@ -1,4 +1,4 @@
-// Part of every provider of OpenGL: takes the first of its kinds that works.
+// Part of every provider of OpenGL, which defines offscreenKind() and makeOffscreen().
 
 #include <cstdlib>
 
@@ -8,16 +8,13 @@
 namespace radlab {
 
 std::unique_ptr<GlContext> GlContext::offscreen() {
-    if (const char* wanted = std::getenv("RADLAB_GL"); wanted && *wanted) return offscreen(wanted);
-    std::string reasons;
-    for (const std::string& kind : offscreenKinds()) {
-        try {
-            return offscreen(kind);
-        } catch (const Error& error) {
-            reasons += std::string("; ") + error.what();
-        }
-    }
-    throw Error("no OpenGL context without a display works here" + reasons);
+    const char* wanted = std::getenv("RADLAB_GL");
+    if (wanted && *wanted && offscreenKind() != wanted)
+        throw Error("RADLAB_GL: found '" + std::string(wanted) + "', expected " + offscreenKind() +
+                    ", which is what this program was built with");
+    std::unique_ptr<GlContext> context = makeOffscreen();
+    context->makeCurrent();
+    return context;
 }
 
 }  // namespace radlab

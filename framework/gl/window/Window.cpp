@@ -56,14 +56,8 @@ void Window::bind() { glfwMakeContextCurrent(window); }
 
 void* Window::address(const char* function) const { return reinterpret_cast<void*>(glfwGetProcAddress(function)); }
 
-std::vector<std::string> GlContext::offscreenKinds() { return {"window"}; }
+std::string GlContext::offscreenKind() { return "window"; }
 
-std::unique_ptr<GlContext> GlContext::offscreen(const std::string& kind) {
-    if (kind != "window")
-        throw Error("RADLAB_GL: unknown kind of OpenGL context, found '" + kind + "', expected window");
-    auto hidden = std::make_unique<Window>(64, 64, "radlab", false);
-    hidden->makeCurrent();
-    return hidden;
-}
+std::unique_ptr<GlContext> GlContext::makeOffscreen() { return std::make_unique<Window>(64, 64, "radlab", false); }
 
 }  // namespace radlab
