@@ -78,6 +78,42 @@ case $claim in
         [ "$code" = 2 ] && [ ! -s "$work/out" ] || wrong "exit code $code"
         says err no-such-file
         says err "radlab: the build failed" ;;
+    "a clone that cannot be written is built among the user's own files")
+        home=$work/home
+        if [ "$(id -u)" = 0 ]; then
+            unshare -m true 2>/dev/null || { echo "-- skipped: no mount namespace can be made here"; exit 0; }
+            cat >"$work/tools/read-only" <<'END'
+#!/bin/sh
+mount --bind "$1" "$1" && mount -o remount,bind,ro "$1" && shift && exec "$@"
+END
+            chmod +x "$work/tools/read-only"
+            run env HOME="$home" unshare -m read-only "$work/a copy" "$work/a copy/radlab" demo one
+        else
+            chmod a-w "$work/a copy"
+            run env HOME="$home" "$work/a copy/radlab" demo one
+            chmod u+w "$work/a copy"
+        fi
+        [ "$code" = 0 ] || wrong "$(cat "$work/err")"
+        says out '<one>'
+        [ ! -e "$work/a copy/build" ] && ls "$home"/.cache/radlab/*/release/build.ninja >/dev/null || wrong "$(find "$home")" ;;
+    "every test that is skipped is named with its reason, and the count comes last")
+        cat >>"$work/a copy/CMakeLists.txt" <<'END'
+enable_testing()
+
+add_test(NAME "right" COMMAND ${CMAKE_COMMAND} -E echo right)
+foreach(number IN ITEMS 1 2)
+  add_test(NAME "skips: number ${number}" COMMAND ${CMAKE_COMMAND} -E echo "file:7: MESSAGE: -- skipped: no moon, number ${number}")
+  set_tests_properties("skips: number ${number}" PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: ")
+endforeach()
+END
+        run "$work/a copy/radlab" test
+        [ "$code" = 0 ] || wrong "$(cat "$work/out" "$work/err")"
+        says err 'radlab: skipped: skips: number 1: no moon, number 1'
+        says err 'radlab: skipped: skips: number 2: no moon, number 2'
+        [ "$(tail -n 1 "$work/out")" = '100% tests passed, 0 tests failed out of 3' ] || wrong "$(cat "$work/out")"
+        sed -i 's/-E echo right/-E false/' "$work/a copy/CMakeLists.txt"
+        run "$work/a copy/radlab" test
+        [ "$code" != 0 ] || wrong "a test failed, and the exit code is 0" ;;
     "missing packages are named in one line to run")
         program dpkg-query 'exit 1'
         program sudo 'exit 1'

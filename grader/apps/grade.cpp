@@ -100,8 +100,7 @@ PoolRules poolRules(const Flags& flags, const Toolchain& toolchain) {
 
 // The command that a task of the cluster runs.
 std::vector<std::string> taskCommand(const Flags& flags) {
-    std::vector<std::string> command = {ownProgram().string(), "--seed",
-                                        std::to_string(flags.seed)};
+    std::vector<std::string> command = {ownProgram().string(), "--seed", std::to_string(flags.seed)};
     if (flags.jobs) command.insert(command.end(), {"--jobs", std::to_string(flags.jobs)});
     if (!flags.require.empty()) command.insert(command.end(), {"--require", joined(flags.require, ",")});
     command.emplace_back("--task");

@@ -35,7 +35,7 @@ void bindOne(Statement& statement, int place, const Value& value) {
 template <class... Values>
 Statement prepared(const Database& database, const char* text, const Values&... values) {
     Statement statement(database, text);
-    int place = 0;
+    [[maybe_unused]] int place = 0;  // where there are no values
     (bindOne(statement, ++place, values), ...);
     return statement;
 }
@@ -143,7 +143,7 @@ void Store::addPicture(std::int64_t result, const CheckPicture& picture) {
            "INSERT INTO pictures (result, stage, check_id, caption, rms, tolerance) VALUES (?, ?, ?, ?, ?, ?)", result,
            picture.stage, picture.check, picture.caption, picture.rms, picture.tolerance);
     const std::int64_t id = opened().getLastInsertRowid();
-    int place = 0;
+    [[maybe_unused]] int place = 0;  // where there are no values
     for (const PngImage& one : picture.images)
         change(opened(),
                "INSERT INTO picture_images (picture, place, title, width, height, image) VALUES (?, ?, ?, ?, ?, ?)", id,
@@ -168,7 +168,7 @@ void Store::addStudent(const StudentNote& note, std::int64_t result) {
            "VALUES (?, ?, ?, ?, ?, ?, ?, nullif(?, 0), nullif(?, 0), ?)",
            student.id, run, student.name, student.account, student.submitted, static_cast<int>(student.late),
            outcomeText(note.outcome), of, result, note.fault);
-    int place = 0;
+    [[maybe_unused]] int place = 0;  // where there are no values
     for (const std::string& remark : student.remarks)
         change(opened(), "INSERT INTO remarks (student, run, place, text) VALUES (?, ?, ?, ?)", student.id, run,
                place++, remark);

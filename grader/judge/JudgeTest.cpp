@@ -160,6 +160,36 @@ TEST_CASE("a file that does not compile, or calls what is not there, is an Error
     CHECK(has(firstMessage(lacking.stages.at(0)), "no function maxenergy_patch"));
 }
 
+TEST_CASE("a compiler that fails at the course's own headers is the machine's fault, whatever the submission says") {
+    const Manifest manifest = readManifest(manifestFile());
+    const test::Folder folder;
+    const auto reason = [&](const std::string& submission, const auto& breakIt) {
+        Toolchain toolchain = readToolchain(RADLAB_TOOLCHAIN);
+        breakIt(toolchain);
+        writeFile(folder / "ProgRef.cpp", submission);
+        try {
+            compileSubmission(folder / "ProgRef.cpp", folder / "submission.so", toolchain, manifest);
+        } catch (const MachineError& error) {
+            return std::string(error.what());
+        } catch (const CompileError& error) {
+            return std::string("the submission's: ") + error.what();
+        }
+        return std::string("none");
+    };
+    const auto leave = [](Toolchain&) {};
+    const auto flag = [](Toolchain& toolchain) { toolchain.flags.emplace_back("-fno-such-flag"); };
+    const auto headers = [](Toolchain& toolchain) {
+        std::erase_if(toolchain.flags, [](const std::string& one) { return one.rfind("-I", 0) == 0; });
+    };
+    const auto compiler = [](Toolchain& toolchain) { toolchain.compiler = "/bin/false"; };
+    CHECK(reason(solution, leave) == "none");
+    CHECK(has(reason(solution, flag), "do not compile on this machine"));
+    CHECK(has(reason(solution, headers), "course/ProgRef.h"));
+    CHECK(has(reason(solution, compiler), "ended with exit code 1"));
+    CHECK(has(reason("int wrong = nonsense;\n", flag), "do not compile on this machine"));
+    CHECK(has(reason("#error course's own headers do not compile on this machine\n", leave), "the submission's: "));
+}
+
 TEST_CASE("the same seed draws the same cases") {
     const std::string wrong = changed("static_cast<float>(M_1_PI) / distance2", "1.0f / (3.2f * distance2)");
     const Result first = judged(wrong, {"calcAnalyticalFF"}, 5), again = judged(wrong, {"calcAnalyticalFF"}, 5),
