@@ -143,7 +143,7 @@ void Store::addPicture(std::int64_t result, const CheckPicture& picture) {
            "INSERT INTO pictures (result, stage, check_id, caption, rms, tolerance) VALUES (?, ?, ?, ?, ?, ?)", result,
            picture.stage, picture.check, picture.caption, picture.rms, picture.tolerance);
     const std::int64_t id = opened().getLastInsertRowid();
-    [[maybe_unused]] int place = 0;  // where there are no values
+    int place = 0;
     for (const PngImage& one : picture.images)
         change(opened(),
                "INSERT INTO picture_images (picture, place, title, width, height, image) VALUES (?, ?, ?, ?, ?, ?)", id,
@@ -168,7 +168,7 @@ void Store::addStudent(const StudentNote& note, std::int64_t result) {
            "VALUES (?, ?, ?, ?, ?, ?, ?, nullif(?, 0), nullif(?, 0), ?)",
            student.id, run, student.name, student.account, student.submitted, static_cast<int>(student.late),
            outcomeText(note.outcome), of, result, note.fault);
-    [[maybe_unused]] int place = 0;  // where there are no values
+    int place = 0;
     for (const std::string& remark : student.remarks)
         change(opened(), "INSERT INTO remarks (student, run, place, text) VALUES (?, ?, ?, ?)", student.id, run,
                place++, remark);
