@@ -80,7 +80,13 @@ notes() {
     [ -z "$lacking" ] || says err "without $lacking"
 }
 
-run 6 --file "$project/solutions/ProgRef.cpp"
+# A right one that also tries to write a file, as students do to see what happens.
+{
+    printf '#include <fstream>\nstatic void note() { std::ofstream("note.txt") << "here" << std::flush; }\n'
+    sed 's/^MyPolygon\* calcFF(Hemicube\* hemicube) {$/& note();/' "$project/solutions/ProgRef.cpp"
+} >right.cpp
+[ "$(grep -c 'note();' right.cpp)" = 1 ] || wrong "the solution reads otherwise than this test expects"
+run 6 --file right.cpp
 exits 0
 notes
 run 1 --file "$project/exercises/ProgRef.cpp"

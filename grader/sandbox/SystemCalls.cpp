@@ -2,6 +2,7 @@
 
 #if __has_include(<seccomp.h>)
 
+#include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
@@ -27,9 +28,9 @@ using Names = std::initializer_list<const char*>;
 constexpr Names ofAll = {
     // files, without changing any
     "read", "readv", "pread64", "preadv", "preadv2", "write", "writev", "pwrite64", "pwritev", "close", "close_range",
-    "lseek", "open", "openat", "stat", "lstat", "fstat", "newfstatat", "statx", "statfs", "fstatfs", "access",
-    "faccessat", "faccessat2", "readlink", "readlinkat", "getcwd", "getdents64", "fcntl", "dup", "dup2", "dup3",
-    "fadvise64", "pipe", "pipe2", "poll", "ppoll", "select", "pselect6", "eventfd2",
+    "lseek", "stat", "lstat", "fstat", "newfstatat", "statx", "statfs", "fstatfs", "access", "faccessat", "faccessat2",
+    "readlink", "readlinkat", "getcwd", "getdents64", "fcntl", "dup", "dup2", "dup3", "fadvise64", "pipe", "pipe2",
+    "poll", "ppoll", "select", "pselect6", "eventfd2",
     // memory
     "mmap", "munmap", "mprotect", "mremap", "madvise", "brk", "mincore", "msync",
     // threads, signals and time
@@ -44,8 +45,11 @@ constexpr Names ofAll = {
     "getresuid", "getresgid", "getgroups", "uname", "sysinfo", "getrlimit", "getrusage", "arch_prctl", "prctl",
     "getrandom", "exit", "exit_group"};
 
-constexpr Names ofServers = {"fork",    "vfork",   "wait4",   "waitid",    "kill",   "execve",
-                             "sendmsg", "recvmsg", "setpgid", "setrlimit", "sendto", "recvfrom"};
+// Flags of open that let a file be made or changed.
+constexpr std::uint64_t changing = O_ACCMODE | O_CREAT | O_TRUNC;
+
+constexpr Names ofServers = {"open",   "openat",  "fork",    "vfork",   "wait4",     "waitid", "kill",
+                             "execve", "sendmsg", "recvmsg", "setpgid", "setrlimit", "sendto", "recvfrom"};
 
 constexpr Names ofCompilers = {"unlink",   "unlinkat", "rename",    "renameat",        "renameat2", "chmod", "fchmod",
                                "fchmodat", "umask",    "ftruncate", "fallocate",       "utimensat", "utime", "chdir",
@@ -92,6 +96,8 @@ std::string makeFilter(Calls calls) {
     filter.allowWhere("ioctl", {SCMP_A1(SCMP_CMP_EQ, TCGETS)});
     filter.allowWhere("ioctl", {SCMP_A1(SCMP_CMP_EQ, FIONREAD)});
     if (calls == Calls::submission) {
+        filter.allowWhere("open", {SCMP_A1(SCMP_CMP_MASKED_EQ, changing, O_RDONLY)});
+        filter.allowWhere("openat", {SCMP_A2(SCMP_CMP_MASKED_EQ, changing, O_RDONLY)});
         filter.allowWhere("clone", {SCMP_A0(SCMP_CMP_MASKED_EQ, newNamespaces | CLONE_THREAD, CLONE_THREAD)});
         filter.allowWhere("prlimit64", {SCMP_A2(SCMP_CMP_EQ, 0)});  // reads a limit
         return filter.program();
