@@ -41,7 +41,7 @@ std::string tarHeader(const std::string& name, std::size_t size, char type) {
     std::string header(512, '\0');
     name.copy(header.data(), 100);
     std::snprintf(&header[100], 8, "0000644");
-    std::snprintf(&header[124], 12, "%011zo", size);
+    std::snprintf(&header[124], 12, "%011o", static_cast<unsigned>(size));
     header[156] = type;
     header.replace(257, 8, std::string("ustar\00000", 8));
     header.replace(148, 8, 8, ' ');
