@@ -4,13 +4,10 @@
 watcher=
 trap '[ -z "$watcher" ] || kill "$watcher" 2>/dev/null; rm -rf "$work"' EXIT
 
-# Waits until a text stands in a file so many times.
+# Waits until the watcher has said this, or has ended.
 waits() {
-    for _ in $(seq 600); do
-        [ "$(grep -cF -- "$2" "$1")" -lt "$3" ] || return 0
-        sleep 0.1
-    done
-    wrong "'$2' was not said $3 times: $(cat "$1")"
+    until_ready "$watcher" grep -qF -- "$1" log
+    says log "$1"
 }
 
 case $claim in
@@ -105,16 +102,16 @@ case $claim in
         cp "$project/exercises/ProgRef.cpp" mine.cpp
         "$program" --watch --file mine.cpp >log 2>&1 &
         watcher=$!
-        waits log '--- ' 1
-        waits log 'next: write maxenergy_patch (stage 1)' 1
+        waits '--- '
+        waits 'next: write maxenergy_patch (stage 1)'
         sed 's|throw NotImplemented("maxenergy_patch");|return polygons.empty() ? nullptr : polygons[0];|' mine.cpp >new
         cat new >mine.cpp
-        waits log 'wrong' 1
+        waits 'wrong'
         echo 'int a = b;' >>mine.cpp
-        waits log 'error: ' 1
-        waits log 'the last verdict' 1
+        waits 'error: '
+        waits 'the last verdict'
         cp "$project/solutions/ProgRef.cpp" mine.cpp
-        waits log 'score: 100/100' 1
+        waits 'score: 100/100'
         wait "$watcher" || wrong "ended with $?"
         watcher= ;;
     "watch judges an extension out of its own file on every save")
@@ -122,11 +119,11 @@ case $claim in
         cp "$project/exercises/extensions/Mirror.cpp" mine/
         "$program" mirrorScene --watch --extensions mine >log 2>&1 &
         watcher=$!
-        waits log 'write mirrorScene (extension)' 1
+        waits 'write mirrorScene (extension)'
         echo 'int a = b;' >>mine/Mirror.cpp
-        waits log 'error: ' 1
+        waits 'error: '
         cp "$project/solutions/extensions/Mirror.cpp" mine/
-        waits log 'extensions: 10/10' 1
+        waits 'extensions: 10/10'
         wait "$watcher" || wrong "ended with $?"
         watcher=
         run extensions --watch

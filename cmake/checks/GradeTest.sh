@@ -93,10 +93,7 @@ END
         done
         "$program" class --out store --jobs 1 >out.txt 2>err &
         grading=$!
-        for _ in $(seq 600); do
-            ! grep -q 'grading: 1 of 5' err || break
-            sleep 0.1
-        done
+        until_ready "$grading" grep -q 'grading: 1 of 5' err
         kill -TERM "$grading"
         code=0
         wait "$grading" || code=$?

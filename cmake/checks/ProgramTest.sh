@@ -9,7 +9,18 @@ cd "$work"
 wrong() { echo "$claim: $*" >&2; exit 1; }
 run() { code=0; "$program" "$@" >out 2>err </dev/null || code=$?; }
 exits() { [ "$code" = "$1" ] || wrong "exit code $code, expected $1: $(cat out err)"; }
+skip() { echo "-- skipped: $*"; exit 0; }  # where this machine lacks what the claim is about
 says() { grep -qF -- "$2" "$1" || wrong "expected '$2', found: $(cat "$1")"; }
+
+# Waits until a command succeeds, or that process ends, which the claims after it then tell.
+until_ready() {
+    waited_for=$1
+    shift
+    until "$@"; do
+        kill -0 "$waited_for" 2>/dev/null || return 0
+        sleep 0.1
+    done
+}
 
 # Starts the program, and presses Ctrl-C once a command succeeds. In a shell's background SIGINT is ignored, which a program that is
 # started by env can undo.
@@ -18,10 +29,7 @@ interrupted_when() {
     shift
     env --default-signal=INT "$program" "$@" >out 2>err </dev/null &
     child=$!
-    until eval "$ready"; do
-        kill -0 $child 2>/dev/null || break
-        sleep 0.1
-    done
+    until_ready $child eval "$ready"
     kill -INT $child
     code=0
     wait $child || code=$?

@@ -11,7 +11,6 @@ stop() {
     sleep 0.5
     rm -rf "$work"
 }
-skip() { echo "-- skipped: $*"; exit 0; }
 
 for tool in munged slurmctld slurmd sbatch; do
     command -v "$tool" >/dev/null || skip "$tool is missing (apt-get install slurm-wlm)"
@@ -61,7 +60,7 @@ END
     export SLURM_CONF="$PWD/slurm.conf"
     slurmctld -c -f slurm.conf
     slurmd -f "$PWD/slurm.conf"
-    for _ in $(seq 100); do
+    for _ in $(seq 1500); do
         ! sinfo -h -o %T 2>/dev/null | grep -q idle || return 0
         sleep 0.2
     done
@@ -81,7 +80,7 @@ case $claim in
         "$program" class --out there --engine slurm --slurm=--time=10 >out 2>err &
         grading=$!
         # The first task is lost, as if its machine had died.
-        for _ in $(seq 300); do
+        while kill -0 "$grading" 2>/dev/null; do
             job=$(squeue -h -t RUNNING -o %A 2>/dev/null | head -n 1)
             [ -z "$job" ] || break
             sleep 0.1

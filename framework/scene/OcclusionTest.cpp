@@ -1,7 +1,7 @@
 #include "scene/Occlusion.h"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "scene/SceneTestHelp.h"
 
@@ -104,14 +104,14 @@ TEST_CASE("faces of one tilted wall are settled together") {
         nodes += "<Group DEF='G" + std::to_string(i) + "'>" + use + use + "</Group>";
     }
     const Scene scene = parse(nodes);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     CHECK(scene.faces.size() == 65536);
     CHECK_FALSE(findOcclusion(scene).found);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+    CHECK(std::clock() - start < 20 * CLOCKS_PER_SEC);
 }
 
 TEST_CASE("many flat faces in a round room are settled in little time") {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     CHECK_FALSE(findOcclusion(sphere(50)).found);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+    CHECK(std::clock() - start < 20 * CLOCKS_PER_SEC);
 }

@@ -1,6 +1,6 @@
 // The fuzzer's seeds and finds, run as a plain test: none may end in anything but a scene or an Error.
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 
 #include "scene/Effects.h"
@@ -20,10 +20,10 @@ TEST_CASE("the fuzzer's corpus ends in scenes or errors, each in little time") {
         CAPTURE(name);
         const std::string text = readTextFile(entry.path());
         CHECK(text.size() <= 2048);
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         const std::string error = errorOf([&] { findEffects(parseX3d(text, name)); });
         errorOf([&] { parseResource(text, name); });
-        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
+        CHECK(std::clock() - start < 60 * CLOCKS_PER_SEC);
         ++files;
         scenes += error.empty();
     }

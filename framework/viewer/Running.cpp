@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <exception>
 #include <string>
 
@@ -16,9 +15,15 @@ constexpr std::array<const char*, 8> names{
     "",       "maxenergy_patch", "calcAnalyticalFF", "distributeEnergy", "colorReconstruction", "renderPatchIDs",
     "calcFF", "loading"};
 
-std::int64_t nanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
+// The number is the last to be written: who sees it sees the rest.
+void begin(RunningNow& now, Running what) {
+    const int depth = now.depth.load();
+    if (depth < RunningNow::mostCalls) {
+        RunningNow::Call& call = now.calls[static_cast<std::size_t>(depth)];
+        call.what = static_cast<int>(what);
+        call.number = ++now.count;
+    }
+    now.depth = depth + 1;
 }
 
 MyPolygon* checked(MyPolygon* patch, Running function) {
@@ -40,29 +45,43 @@ int stageOf(const char* function) {
     return 0;
 }
 
-double RunningNow::seconds() const {
-    return running() == Running::none ? 0.0 : 1e-9 * static_cast<double>(nanoseconds() - since.load());
+Running RunningNow::running() const {
+    const int inner = std::min(depth.load(), mostCalls) - 1;
+    return inner < 0 ? Running::none : static_cast<Running>(calls[static_cast<std::size_t>(inner)].what.load());
 }
 
-RunningMark::RunningMark(RunningNow& now, Running what)
-    : place(now), before(now.what.load()), exceptions(std::uncaught_exceptions()) {
-    place.since = nanoseconds();
-    place.what = static_cast<int>(what);
+RunningMark::RunningMark(RunningNow& now, Running what) : place(now), exceptions(std::uncaught_exceptions()) {
+    begin(place, what);
 }
 
 RunningMark::~RunningMark() {
-    if (std::uncaught_exceptions() > exceptions && place.failed == 0) place.failed = place.what.load();
-    place.since = nanoseconds();
-    place.what = before;
+    if (std::uncaught_exceptions() > exceptions && place.failed == 0) place.failed = static_cast<int>(place.running());
+    --place.depth;
 }
 
-RunningPause::RunningPause(RunningNow& now) : place(now), before(now.what.load()), start(nanoseconds()) {
-    place.what = static_cast<int>(Running::none);
+RunningPause::RunningPause(RunningNow& now) : place(now) { begin(place, Running::none); }
+
+RunningPause::~RunningPause() { --place.depth; }
+
+void RunningTime::look(const RunningNow& now, double seconds) {
+    const auto depth = static_cast<std::size_t>(std::min(now.depth.load(), RunningNow::mostCalls));
+    bool paused = false;
+    for (std::size_t i = depth; i-- > 0;) {
+        const std::uint64_t number = now.calls[i].number;
+        if (number != seen[i].number)
+            seen[i] = {static_cast<Running>(now.calls[i].what.load()), number, 0.0};
+        else if (!paused)
+            seen[i].seconds += seconds - before;
+        paused = paused || seen[i].what == Running::none;
+    }
+    for (std::size_t i = depth; i < seen.size(); ++i) seen[i] = {};
+    before = seconds;
 }
 
-RunningPause::~RunningPause() {
-    place.since += nanoseconds() - start;
-    place.what = before;
+Running RunningTime::longerThan(double seconds) const {
+    for (std::size_t i = seen.size(); i-- > 0;)
+        if (seen[i].what != Running::none && seen[i].seconds > seconds) return seen[i].what;
+    return Running::none;
 }
 
 CourseFunctions marked(const CourseFunctions& functions, RunningNow& now) {

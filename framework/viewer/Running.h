@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
@@ -28,16 +29,21 @@ int stageOf(Running running);
 /// The stage of a function by its name; 0 for one that is none of the six.
 int stageOf(const char* function);
 
-/// What is running and since when, where a supervisor process can read it.
+/// What is running, one called by the other, where a supervisor process can read it.
 struct RunningNow {
-    std::atomic<int> what{0};
-    std::atomic<int> failed{0};          ///< the innermost that an exception left since this was set to 0
-    std::atomic<std::int64_t> since{0};  ///< nanoseconds of the steady clock
+    static constexpr int mostCalls = 8;  ///< that are told apart; deeper ones go by the name of the eighth
 
-    Running running() const { return static_cast<Running>(what.load()); }
+    struct Call {
+        std::atomic<int> what{0};              ///< a pause is none
+        std::atomic<std::uint64_t> number{0};  ///< of all calls so far
+    };
+    std::array<Call, mostCalls> calls;  ///< the outermost first
+    std::atomic<int> depth{0};          ///< of them
+    std::atomic<std::uint64_t> count{0};
+    std::atomic<int> failed{0};  ///< the innermost that an exception left since this was set to 0
 
-    /// Seconds that it has been running for; 0 for none.
-    double seconds() const;
+    /// The innermost.
+    Running running() const;
 };
 
 /// Says that a function runs, while it lives; then what ran before.
@@ -50,7 +56,7 @@ public:
 
 private:
     RunningNow& place;
-    const int before, exceptions;
+    const int exceptions;
 };
 
 /// Says that none of it runs for a while, in the middle of a function, while it lives; the function's time stands still.
@@ -63,8 +69,25 @@ public:
 
 private:
     RunningNow& place;
-    const int before;
-    const std::int64_t start;
+};
+
+/// How long what is running has been, as seen by who looks now and then.
+class RunningTime {
+public:
+    /// @param seconds that the process has used so far
+    void look(const RunningNow& now, double seconds);
+
+    /// The innermost function that has been running for longer, without its pauses; none if there is none.
+    Running longerThan(double seconds) const;
+
+private:
+    struct Seen {
+        Running what = Running::none;
+        std::uint64_t number = 0;
+        double seconds = 0.0;
+    };
+    std::array<Seen, RunningNow::mostCalls> seen;
+    double before = 0.0;
 };
 
 /// The same functions, each marked while it runs; a shooter that is none of `polygons` is an Error that names the function.

@@ -90,15 +90,51 @@ TEST_CASE("a shot is the same with and without frames drawn in its middle") {
 
 TEST_CASE("the time of what is interrupted stands still") {
     RunningNow now;
+    RunningTime time;
     const RunningMark mark(now, Running::calcFF);
-    const std::int64_t since = now.since;
+    time.look(now, 1.0);
     {
         const RunningPause pause(now);
         CHECK(now.running() == Running::none);
-        CHECK(now.seconds() == 0.0);
+        const RunningMark drawing(now, Running::renderPatchIDs);
+        time.look(now, 2.0);
+        time.look(now, 5.0);
+        CHECK(time.longerThan(2.5) == Running::renderPatchIDs);
+        CHECK(time.longerThan(3.5) == Running::none);
     }
     CHECK(now.running() == Running::calcFF);
-    CHECK(now.since > since);
+    CHECK(time.longerThan(0.5) == Running::renderPatchIDs);
+    time.look(now, 6.0);
+    CHECK(time.longerThan(0.5) == Running::calcFF);
+    CHECK(time.longerThan(1.5) == Running::none);
+}
+
+TEST_CASE("who calls another again and again has been running all the time, and each call for its own") {
+    RunningNow now;
+    RunningTime time;
+    const RunningMark mark(now, Running::calcFF);
+    for (int i = 0; i < 10; ++i) {
+        const RunningMark drawing(now, Running::renderPatchIDs);
+        time.look(now, i);
+        time.look(now, i + 0.5);
+    }
+    CHECK(time.longerThan(0.4) == Running::renderPatchIDs);
+    CHECK(time.longerThan(5.0) == Running::calcFF);
+}
+
+TEST_CASE("the innermost of many calls is told as far as they are told apart") {
+    RunningNow now;
+    std::function<void(int)> call = [&](int left) {
+        const RunningMark mark(now, left > 12 ? Running::calcFF : Running::renderPatchIDs);
+        if (left) return call(left - 1);
+        CHECK(now.running() == Running::renderPatchIDs);
+        RunningTime time;
+        time.look(now, 0.0);
+        time.look(now, 1.0);
+        CHECK(time.longerThan(0.5) == Running::renderPatchIDs);
+    };
+    call(15);
+    CHECK(now.running() == Running::none);
 }
 
 TEST_CASE("a stub is named with its stage, and the scene stays as it stands") {

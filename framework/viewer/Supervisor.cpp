@@ -19,6 +19,7 @@
 
 #include "base/Error.h"
 #include "base/NumberText.h"
+#include "base/ProcessTime.h"
 
 namespace radlab {
 
@@ -46,6 +47,7 @@ int supervise(double, const std::function<int(SharedView&, const Restart&)>& vie
 namespace {
 
 constexpr useconds_t pollTime = 20000;
+constexpr double waitingCounts = 0.01;  // of it: behind the limit of its own time, one that no machine should reach
 
 volatile std::sig_atomic_t childToEnd = 0;
 
@@ -89,24 +91,31 @@ pid_t started(SharedView& shared, const Restart& restart,
 
 struct ViewerEnd {
     int status = 0;
-    bool hung = false;
+    Running hung = Running::none;
 };
 
+// What was crashing, or ending, when it was killed still says so by its status.
 ViewerEnd watched(pid_t child, SharedView& shared, double hangSeconds) {
     ViewerEnd ended;
+    ProcessTime time(static_cast<int>(child));
+    RunningTime functions;
     for (;;) {
         const pid_t got = waitpid(child, &ended.status, WNOHANG);
-        if (got == child || (got < 0 && errno != EINTR)) return ended;
-        if (!ended.hung && shared.running.seconds() > hangSeconds) {
-            ended.hung = true;
-            kill(child, SIGKILL);
+        if (got == child || (got < 0 && errno != EINTR)) break;
+        time.look();
+        functions.look(shared.running, time.used() + waitingCounts * time.waited());
+        if (ended.hung == Running::none) {
+            ended.hung = functions.longerThan(hangSeconds);
+            if (ended.hung != Running::none) kill(child, SIGKILL);
         }
         usleep(pollTime);
     }
+    if (!WIFSIGNALED(ended.status) || WTERMSIG(ended.status) != SIGKILL) ended.hung = Running::none;
+    return ended;
 }
 
 std::string howOf(const ViewerEnd& ended, double hangSeconds) {
-    if (ended.hung) {
+    if (ended.hung != Running::none) {
         std::string text = "ran for more than ";
         appendNumber(text, hangSeconds, 4);
         return text + " s without an end";
@@ -132,13 +141,13 @@ int supervise(double hangSeconds, const std::function<int(SharedView&, const Res
     std::signal(SIGINT, endChild);
     Restart restart;
     for (;;) {
-        shared->running.what = 0;
+        shared->running.depth = 0;
         const pid_t child = started(*shared, restart, viewer);
         childToEnd = static_cast<std::sig_atomic_t>(child);
         const ViewerEnd ended = watched(child, *shared, hangSeconds);
         childToEnd = 0;
         if (askedToEnd(ended.status)) return 128 + WTERMSIG(ended.status);
-        const Running at = shared->running.running();
+        const Running at = ended.hung == Running::none ? shared->running.running() : ended.hung;
         if (at == Running::none) {
             if (WIFEXITED(ended.status)) return WEXITSTATUS(ended.status);
             std::cerr << "internal error: the viewer " << howOf(ended, hangSeconds) << '\n';

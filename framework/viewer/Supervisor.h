@@ -25,8 +25,8 @@ struct Restart {
 
 /// Runs the viewer in a process of its own, and again where it ends while a student's function is running.
 ///
-/// A function that crashes, ends the program or runs for longer than `hangSeconds` ends only that process; the next one gets the
-/// state that the last one left, and a message. What goes wrong outside of student's functions is not tried again. Where there are no
+/// A function that crashes, ends the program or runs for longer than `hangSeconds` of its own time (see ProcessTime) ends only that
+/// process; the next one gets the state that the last one left, and a message. What goes wrong outside of student's functions is not tried again. Where there are no
 /// processes to fork (Windows), the viewer runs in this one.
 ///
 /// @param viewer what the process does, and its exit code

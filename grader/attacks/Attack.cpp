@@ -84,10 +84,10 @@ bool hasProcesses(uid_t user) {
     return false;
 }
 
-// The kernel takes a moment to clear a namespace away.
+// The kernel takes a moment to clear a namespace away, a long one on a busy machine.
 bool processesStay(const Sandbox& sandbox) {
     if (!sandbox.ownUser) return false;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 12000; ++i) {
         if (!hasProcesses(ownUserOfThread())) return false;
         usleep(5000);
     }

@@ -7,6 +7,8 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -17,22 +19,28 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr int tries = 100;
+constexpr int triesWhileItLives = 100, tries = 6000;
 constexpr std::chrono::milliseconds pause{10};
-
-bool lock(int file) {
-    for (int i = 0; i < tries; ++i) {
-        if (flock(file, LOCK_EX | LOCK_NB) == 0) return true;
-        if (errno != EWOULDBLOCK && errno != EINTR) return false;
-        std::this_thread::sleep_for(pause);
-    }
-    return false;
-}
 
 std::string holderOf(int file) {
     std::array<char, 32> text{};
     const ssize_t length = pread(file, text.data(), text.size(), 0);
-    return length > 0 ? " (process " + visibleText({text.data(), static_cast<std::size_t>(length)}) + ")" : "";
+    return length > 0 ? visibleText({text.data(), static_cast<std::size_t>(length)}) : "?";
+}
+
+bool lives(const std::string& process) {
+    const int number = std::atoi(process.c_str());
+    return number > 0 && (kill(number, 0) == 0 || errno == EPERM);
+}
+
+// Where the holder was killed, what it started goes in a moment, which is long on a busy machine.
+bool lock(int file) {
+    for (int i = 0; i < tries; ++i) {
+        if (flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+        if ((errno != EWOULDBLOCK && errno != EINTR) || (i >= triesWhileItLives && lives(holderOf(file)))) return false;
+        std::this_thread::sleep_for(pause);
+    }
+    return false;
 }
 
 }  // namespace
@@ -42,7 +50,8 @@ FileLock::FileLock(const std::filesystem::path& file, const std::string& what) {
     if (number < 0) throw Error({file.string()}, std::string("cannot be written: ") + std::strerror(errno));
     held = moved(number);
     if (!lock(held.get()))
-        throw Error({file.string()}, what + holderOf(held.get()) + " is at work here: wait for its end, or stop it");
+        throw Error({file.string()},
+                    what + " (process " + holderOf(held.get()) + ") is at work here: wait for its end, or stop it");
     const std::string process = std::to_string(getpid());
     if (ftruncate(held.get(), 0) != 0 || pwrite(held.get(), process.data(), process.size(), 0) < 0)
         throw Error({file.string()}, std::string("cannot be written: ") + std::strerror(errno));

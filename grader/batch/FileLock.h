@@ -15,7 +15,7 @@ public:
     ///
     /// @param what  holds it, for the message: "another grade command"
     /// Errors: somebody else has it, with that process's id; a folder that cannot be written.
-    /// @cost   up to a second where somebody has it: a process that was just killed lets go in a moment
+    /// @cost   up to a second where somebody has it; up to a minute where that process is gone, and what it started is not yet
     FileLock(const std::filesystem::path& file, const std::string& what);
 
 private:

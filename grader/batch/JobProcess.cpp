@@ -16,7 +16,9 @@
 
 #include "base/Error.h"
 #include "base/Interrupts.h"
+#include "base/ProgressBar.h"
 #include "grader/protocol/PlainText.h"
+#include "grader/sandbox/Process.h"
 
 namespace radlab::grader {
 
@@ -55,7 +57,8 @@ void answerWith(int to, char kind, std::string_view bytes) {
 
 }  // namespace
 
-JobProcess::JobProcess(const std::function<std::string()>& work, std::size_t mostBytes) : most(mostBytes) {
+JobProcess::JobProcess(const std::function<std::string()>& work, double seconds, std::size_t mostBytes)
+    : mostSeconds(seconds), most(mostBytes) {
     RADLAB_CHECK(!hasOtherThreads());
     Pipe pipe = makePipe();
     printed = memoryFile("");
@@ -64,6 +67,7 @@ JobProcess::JobProcess(const std::function<std::string()>& work, std::size_t mos
     if (process < 0) failWithErrno("no process could be made");
     if (process == 0) perform(work, pipe.writing.get(), printed.get(), parent);
     setpgid(process, process);  // in both, so that it holds whichever comes first
+    deadline.emplace("the judge's process", process, mostSeconds);
     answers = std::move(pipe.reading);
     makeNonBlocking(answers);
 }
@@ -98,7 +102,9 @@ void JobProcess::perform(const std::function<std::string()>& work, int answer, i
 std::optional<JobEnd> JobProcess::look() {
     read();
     if (std::optional<JobEnd> end = answer()) return end;
-    return answers.open() ? std::nullopt : death();
+    if (!answers.open())
+        if (std::optional<JobEnd> end = death()) return end;
+    return lateness();
 }
 
 // Not more than a share at a time, so that one does not keep the others waiting.
@@ -133,6 +139,15 @@ std::optional<JobEnd> JobProcess::death() {
     const std::string how = WIFSIGNALED(status) ? "was stopped by signal " + std::to_string(WTERMSIG(status))
                                                 : "ended with exit code " + std::to_string(WEXITSTATUS(status));
     return JobEnd{false, "the judge's process " + how + " without an answer" + lastWords()};
+}
+
+std::optional<JobEnd> JobProcess::lateness() {
+    try {
+        if (deadline->isOver()) return JobEnd{false, "took longer than " + durationText(mostSeconds)};
+    } catch (const MachineError& busy) {
+        return JobEnd{false, busy.what()};
+    }
+    return std::nullopt;
 }
 
 std::string JobProcess::lastWords() const {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "base/Stopwatch.h"
+#include "grader/sandbox/Deadline.h"
 #include "grader/sandbox/Pipes.h"
 
 namespace radlab::grader {
@@ -23,9 +23,10 @@ struct JobEnd {
 /// What it prints is kept, to be told if it fails. Where this object goes, so does the process, done or not.
 class JobProcess {
 public:
+    /// @param  seconds that it may run or sleep
     /// @pre    this process has one thread: no other could hold a lock that the forked one waits for
     /// Errors: MachineError, where there can be no more processes.
-    JobProcess(const std::function<std::string()>& work, std::size_t mostBytes);
+    JobProcess(const std::function<std::string()>& work, double seconds, std::size_t mostBytes);
     ~JobProcess();
     JobProcess(const JobProcess&) = delete;
     JobProcess& operator=(const JobProcess&) = delete;
@@ -33,23 +34,23 @@ public:
     /// Where its answer comes from, to be waited for; -1 when nothing more will come.
     int descriptor() const { return answers.get(); }
 
-    /// Takes what has come, without waiting, and says whether that was the end.
+    /// Takes what has come, without waiting, and says whether that was the end, or its time is up.
     std::optional<JobEnd> look();
-
-    double seconds() const { return watch.seconds(); }
 
 private:
     [[noreturn]] static void perform(const std::function<std::string()>& work, int answer, int output, pid_t parent);
     void read();
     std::optional<JobEnd> answer() const;
     std::optional<JobEnd> death();
+    std::optional<JobEnd> lateness();
     std::string lastWords() const;
 
+    double mostSeconds;
     std::size_t most;
-    Stopwatch watch;
     Descriptor answers, printed;
     pid_t process = -1;
     bool reaped = false;
+    std::optional<Deadline> deadline;
     std::string got;
 };
 

@@ -8,7 +8,6 @@
 
 #include "base/Error.h"
 #include "base/Interrupts.h"
-#include "base/ProgressBar.h"
 #include "grader/batch/JobProcess.h"
 
 namespace radlab::grader {
@@ -25,7 +24,7 @@ struct Try {
 
 struct Running {
     Running(Try begun, const PoolWork& work, const PoolRules& rules)
-        : what(std::move(begun)), process([&] { return work.perform(what.job); }, rules.mostBytes) {}
+        : what(std::move(begun)), process([&] { return work.perform(what.job); }, rules.seconds, rules.mostBytes) {}
     Try what;
     JobProcess process;
 };
@@ -82,8 +81,6 @@ private:
     void lookAtAll() {
         for (auto one = running.begin(); one != running.end();) {
             std::optional<JobEnd> end = one->process.look();
-            if (!end && one->process.seconds() > rules.seconds)
-                end = JobEnd{false, "took longer than " + durationText(rules.seconds)};
             if (!end) {
                 ++one;
                 continue;

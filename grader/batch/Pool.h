@@ -7,7 +7,7 @@ namespace radlab::grader {
 /// How jobs are run on this machine.
 struct PoolRules {
     unsigned processes = 1;   ///< at once
-    double seconds = 1800.0;  ///< of wall-clock time for a job: beyond what any takes that goes well
+    double seconds = 1800.0;  ///< that a job may run or sleep: beyond what any does that goes well
     std::size_t mostBytes = std::size_t{64} << 20;  ///< of its answer
     int tries = 3;
 };

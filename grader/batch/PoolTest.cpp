@@ -16,7 +16,9 @@
 
 #include "base/Error.h"
 #include "base/Interrupts.h"
+#include "base/Stopwatch.h"
 #include "base/TestFolder.h"
+#include "base/TestLoad.h"
 #include "base/WholeFile.h"
 #include "grader/batch/JobProcess.h"
 
@@ -80,7 +82,7 @@ bool isGone(const std::string& process) {
 // Whether it comes true; nobody waits forever for what is wrong.
 template <class Claim>
 bool comesTrue(const Claim& claim) {
-    for (int i = 0; i < 5000 && !claim(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (int i = 0; i < 150000 && !claim(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
     return claim();
 }
 
@@ -164,13 +166,28 @@ TEST_CASE("a job that dies, exits or answers garbage is tried three times, and w
 
 TEST_CASE("a job that hangs, or stops to answer and lives on, is killed at the limit and tried again") {
     Told told;
-    told.rules.seconds = 0.05;
+    told.rules.seconds = 0.1;
     told.perform = [](const Job&) -> std::string {
         close_range(3, ~0u, 0);
         while (true) pause();
     };
     CHECK(told.run());
     CHECK(told.events == threeTimes("took longer than 0.1 s"));
+}
+
+TEST_CASE("a job that others keep from the processors does not run into its limit") {
+    Told told;
+    const test::BusyProcessor busy;
+    told.rules.seconds = 1.0;
+    told.perform = [&](const Job&) -> std::string {
+        const Stopwatch watch;
+        test::stayOn(busy.number());
+        while (watch.seconds() < 4.0) {
+        }
+        return "late";
+    };
+    CHECK(told.run());
+    CHECK(told.events == std::vector<std::string>{"0 = late"});
 }
 
 TEST_CASE("what failed is tried again after all others, and may go well then") {
@@ -269,7 +286,7 @@ TEST_CASE("nothing is forked from a process with several threads") {
     std::thread other([&] {
         while (!end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
-    CHECK_THROWS_AS(JobProcess([] { return std::string(); }, 100), std::logic_error);
+    CHECK_THROWS_AS(JobProcess([] { return std::string(); }, 1.0, 100), std::logic_error);
     end = true;
     other.join();
 }

@@ -14,7 +14,7 @@ namespace {
 const std::string solution = readFile(RADLAB_SOURCE_DIR "/solutions/ProgRef.cpp");
 
 std::string changed(const std::string& from, const std::string& to) {
-    std::string text = "#include <signal.h>\n#include <unistd.h>\n" + solution;
+    std::string text = "#include <signal.h>\n#include <unistd.h>\n#include <thread>\n" + solution;
     const std::size_t place = text.find(from);
     REQUIRE(place != std::string::npos);
     return text.replace(place, from.size(), to);
@@ -52,6 +52,18 @@ const std::string inStage1 = "MyPolygon* maxenergy_patch() {";
 const std::string inStage2 = "MyPolygon* calcAnalyticalFF() {";
 const std::vector<std::string> twoStages = {"maxenergy_patch", "calcAnalyticalFF"};
 
+Result in(const std::string& statement, double seconds = 60.0) {
+    return judged(changed(inStage1, inStage1 + " " + statement), twoStages, 1, seconds);
+}
+
+// What is said of the first stage, which alone has lost its marks.
+std::string only(const Result& result) {
+    CHECK(stageOf(result, "calcAnalyticalFF").status == Status::pass);
+    CHECK(stageOf(result, "maxenergy_patch").status == Status::fail);
+    CHECK(stageOf(result, "maxenergy_patch").score == 0.0);
+    return firstMessage(stageOf(result, "maxenergy_patch"));
+}
+
 }  // namespace
 
 TEST_CASE("the solutions keep all marks, whichever seed") {
@@ -79,15 +91,6 @@ TEST_CASE("stubs are not started, and lose no stage but their own its marks") {
 }
 
 TEST_CASE("a crash, a hang, an exit and a closed descriptor cost their own stage alone, and are named") {
-    const auto in = [](const std::string& statement, double seconds = 60.0) {
-        return judged(changed(inStage1, inStage1 + " " + statement), twoStages, 1, seconds);
-    };
-    const auto only = [](const Result& result) {
-        CHECK(stageOf(result, "calcAnalyticalFF").status == Status::pass);
-        CHECK(stageOf(result, "maxenergy_patch").status == Status::fail);
-        CHECK(stageOf(result, "maxenergy_patch").score == 0.0);
-        return firstMessage(stageOf(result, "maxenergy_patch"));
-    };
     CHECK(has(only(in("raise(11);")), "stopped by signal 11"));
     CHECK(has(only(in("std::abort();")), "stopped by signal 6"));
     CHECK(has(only(in("for (volatile unsigned i = 0;; i = i + 1) {}", 5.0)), "took longer than "));
@@ -97,6 +100,16 @@ TEST_CASE("a crash, a hang, an exit and a closed descriptor cost their own stage
               "in maxenergy_patch"));
     CHECK(has(only(in("throw std::runtime_error(\"thrown here\");")), "ended with an exception: thrown here"));
     CHECK(has(only(in("throw 7;")), "exception"));
+}
+
+TEST_CASE(
+    "who takes the processors from itself by many threads, or stops itself, loses marks, and no machine is blamed") {
+    // At the limit of time, or where there are many processors, at that of what they may do together; never the machine's fault.
+    CHECK(has(only(in("const auto spin = [] { for (volatile unsigned i = 0;; i = i + 1) {} }; "
+                      "for (int i = 0; i < 40; ++i) std::thread(spin).detach(); spin();",
+                      2.0)),
+              " in maxenergy_patch"));
+    CHECK(has(only(in("raise(19);", 2.0)), "took longer than "));
 }
 
 TEST_CASE("what a submission prints is kept, and believed by nobody") {

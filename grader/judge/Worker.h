@@ -27,7 +27,7 @@ public:
     /// Performs steps.
     ///
     /// run.cause says why it ended before the last answer, in words that name the function.
-    /// @param seconds of wall-clock time that it may take; six times that under the sanitizers
+    /// @param seconds that it may run or sleep; six times that under the sanitizers
     /// Errors: MachineError, also where no worker starts.
     WorkerRun run(const std::vector<Step>& steps, double seconds);
 

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char prefix[] = "radlab-";
-constexpr int triesToRemove = 200;  // of 5 ms: what was killed takes a moment to go
+constexpr int triesToRemove = 12000;  // of 5 ms: what was killed takes a moment to go, a long one on a busy machine
 
 // A file of the kernel takes a value whole, or says no at once.
 bool put(const fs::path& file, const std::string& value) {

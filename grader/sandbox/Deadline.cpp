@@ -1,5 +1,7 @@
 #include "grader/sandbox/Deadline.h"
 
+#include <algorithm>
+
 #include "base/ProgressBar.h"
 #include "grader/sandbox/Process.h"
 
@@ -7,18 +9,18 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr double mostWaiting = 5.0;  // limits of time that a program may wait for a processor
+double mostWaiting(double limit) { return std::min(60.0 * limit, std::max(600.0, 5.0 * limit)); }
 
 }  // namespace
 
-bool Deadline::isOver(pid_t process) {
+bool Deadline::isOver() {
     if (most <= 0.0) return false;
-    const double now = watch.seconds();
-    wait.look(process, now);
-    if (wait.seconds() > mostWaiting * most)
+    time.look();
+    if (time.used() + time.stopped() > most) return true;
+    if (time.waited() > mostWaiting(most))
         throw MachineError("this machine is too busy: " + program + " waited for a processor for " +
-                           durationText(wait.seconds()) + "; run it again with fewer programs beside it");
-    return now - wait.seconds() > most;
+                           durationText(time.waited()) + "; run it again with fewer programs beside it");
+    return false;
 }
 
 }  // namespace radlab::grader

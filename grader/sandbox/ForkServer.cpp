@@ -45,13 +45,13 @@ ForkServer::~ForkServer() = default;
 // The first message says that it is there: what it printed else is no fault of a submission, which is not loaded yet.
 void ForkServer::start() {
     running = std::make_unique<Running>(command, limits);
-    Deadline deadline(command.arguments[0], secondsToStart);
+    Deadline deadline(command.arguments[0], running->program.process(), secondsToStart);
     char greeting = 0;
     Ended ended;
     while (recv(running->sockets.reading.get(), &greeting, 1, 0) != 1) {
         Interrupts::check();
         const bool over = running->program.hasEnded(ended);
-        if (!over && !deadline.isOver(running->program.process())) {
+        if (!over && !deadline.isOver()) {
             running->talk.exchange(pollTime, running->sockets.reading.get());
             continue;
         }
@@ -91,6 +91,15 @@ bool ForkServer::receive(Ended& ended) const {
 }
 
 Ended ForkServer::run(std::string_view input, double seconds) {
+    try {
+        return perform(input, seconds);
+    } catch (...) {
+        running.reset();  // whatever it is doing, the next run does not wait for that
+        throw;
+    }
+}
+
+Ended ForkServer::perform(std::string_view input, double seconds) {
     if (!running) start();
     Conversation conversation(input, limits);
     if (!send(conversation.input(), conversation.output(), conversation.answer())) {
@@ -99,12 +108,12 @@ Ended ForkServer::run(std::string_view input, double seconds) {
             throw MachineError(command.arguments[0] + " ended by itself");
     }
     conversation.begun();
-    Deadline deadline(command.arguments[0], seconds);
+    Deadline deadline(command.arguments[0], running->program.process(), seconds);
     Ended ended;
     while (!receive(ended)) {
         Interrupts::check();
         const bool broughtDown = running->program.hasEnded(ended);
-        if (broughtDown || deadline.isOver(running->program.process())) {
+        if (broughtDown || deadline.isOver()) {
             ended.how = broughtDown ? Ended::How::signalled : Ended::How::timedOut;
             ended.code = broughtDown ? SIGKILL : 0;
             running.reset();

@@ -21,14 +21,15 @@ public:
 
     /// One run in a process of its own, as in `run`.
     ///
-    /// @param seconds  of wall-clock time, in place of those of the limits
-    /// Errors: MachineError, also where the program does not start; Interrupted, after which it runs nothing more.
+    /// @param seconds  that it may run or sleep, in place of those of the limits
+    /// Errors: MachineError, also where the program does not start; Interrupted.
     Ended run(std::string_view input, double seconds);
 
 private:
     struct Running;
 
     void start();
+    Ended perform(std::string_view input, double seconds);
     bool send(int input, int output, int answer) const;
     bool receive(Ended& ended) const;
 

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include "base/Interrupts.h"
+
 using namespace radlab;
 using namespace radlab::grader;
 
@@ -59,6 +61,19 @@ TEST_CASE("a server that was brought down is started again") {
     ForkServer server(command, ofExample());
     CHECK(server.run("down ", 5.0).how != Ended::How::exited);
     CHECK(server.run("answer z", 10.0).answer == "z");
+}
+
+TEST_CASE("what kept a run from its end does not keep the next one") {
+    Command command;
+    command.arguments = {RADLAB_FORK_EXAMPLE};
+    ForkServer server(command, ofExample());
+    CHECK(server.run("answer x", 10.0).answer == "x");
+    {
+        const Interrupts interrupts;
+        raise(SIGINT);
+        CHECK_THROWS_AS(server.run("hang ", 100000.0), Interrupted);
+    }
+    CHECK(server.run("answer y", 10.0).answer == "y");
 }
 
 TEST_CASE("a program that serves no forks is an error of the machine, with what it printed") {

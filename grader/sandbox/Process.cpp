@@ -30,10 +30,10 @@ Ended run(const Command& command, std::string_view input, const ProcessLimits& l
     Conversation conversation(input, limits);
     Launched program(command, limits, conversation.input(), conversation.output(), conversation.answer());
     conversation.begun();
-    Deadline deadline(command.arguments[0], limits.seconds);
+    Deadline deadline(command.arguments[0], program.process(), limits.seconds);
     Ended ended;
     while (!program.hasEnded(ended)) {
-        if (deadline.isOver(program.process())) {
+        if (deadline.isOver()) {
             ended.how = Ended::How::timedOut;
             break;
         }

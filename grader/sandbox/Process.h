@@ -21,7 +21,7 @@ struct Command {
 
 /// What a program may use. A limit of 0 is none.
 struct ProcessLimits {
-    double seconds = 10.0;                      ///< of wall-clock time, without what it waited for a processor
+    double seconds = 10.0;                      ///< that it may run or sleep; waiting for a processor is neither
     std::size_t memory = std::size_t{4} << 30;  ///< bytes of address space
     std::size_t file = 0;                       ///< bytes of the largest file that it may write
     std::size_t output = 64 << 10;              ///< bytes kept of what it prints; the rest is thrown away
@@ -60,8 +60,7 @@ public:
 ///
 /// It starts with standard input (which brings `input`), output and error, and descriptor 3 (which takes its answer), and no other;
 /// it gains no privileges, dumps no core, and goes with this process. At its end, or at the limit of time, its whole group is
-/// killed; what a process that left the group still prints is not waited for. On a busy machine it may wait for a processor for
-/// up to five times its limit of time.
+/// killed; what a process that left the group still prints is not waited for. On a busy machine it takes longer: see Deadline.
 /// May be called by several threads at once.
 ///
 /// Errors: MachineError; Interrupted, the program then being killed.

@@ -14,7 +14,7 @@ constexpr double leastSeconds = 0.03;
 
 nlohmann::json jsonOf(const ImVec4& r) { return {r.x, r.y, r.z, r.w}; }
 
-nlohmann::json traced(Ui& ui, const ImVec4& picture, int glErrors) {
+nlohmann::json traced(Ui& ui, const ImVec4& picture, int glErrors, bool settled) {
     Viewer& viewer = ui.viewer;
     nlohmann::json json = {{"mode", nameOf(viewer.state().mode)},
                            {"shots", viewer.simulation().progress().shots},
@@ -28,6 +28,7 @@ nlohmann::json traced(Ui& ui, const ImVec4& picture, int glErrors) {
                            {"scene", viewer.sceneFile().string()},
                            {"help", viewer.helpShown()},
                            {"gl_errors", glErrors},
+                           {"settled", settled},
                            {"picture", jsonOf(picture)},
                            {"picked", nullptr},
                            {"sum", nullptr},
@@ -44,9 +45,9 @@ nlohmann::json traced(Ui& ui, const ImVec4& picture, int glErrors) {
 
 }  // namespace
 
-void Trace::write(Ui& ui, const ImVec4& picture, int glErrors) {
+void Trace::write(Ui& ui, const ImVec4& picture, int glErrors, bool settled) {
     if (target.empty() || (!first && ui.viewer.isPlaying() && sinceWrite.seconds() < leastSeconds)) return;
-    nlohmann::json json = traced(ui, picture, glErrors);
+    nlohmann::json json = traced(ui, picture, glErrors, settled);
     const std::string text = json.dump();
     if (text == before) return;
     before = text;

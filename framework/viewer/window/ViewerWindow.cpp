@@ -132,7 +132,7 @@ private:
         ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
         while (glGetError() != GL_NO_ERROR) ++glErrors;
         glfwSwapBuffers(window.handle());
-        trace.write(ui, picture, glErrors + viewer.glErrors());
+        trace.write(ui, picture, glErrors + viewer.glErrors(), unsettled == 0);
         meter.count(viewer);
         ui.framesPerSecond = meter.framesPerSecond();
     }
