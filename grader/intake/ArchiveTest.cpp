@@ -1,5 +1,6 @@
 #include "grader/intake/Archive.h"
 
+#include <array>
 #include <random>
 
 #include "grader/intake/IntakeTestHelp.h"
@@ -41,7 +42,9 @@ std::string tarHeader(const std::string& name, std::size_t size, char type) {
     std::string header(512, '\0');
     name.copy(header.data(), 100);
     std::snprintf(&header[100], 8, "0000644");
-    std::snprintf(&header[124], 12, "%011o", static_cast<unsigned>(size));
+    std::array<char, 24> digits;
+    std::snprintf(digits.data(), digits.size(), "%011zo", size);
+    header.replace(124, 11, digits.data(), 11);
     header[156] = type;
     header.replace(257, 8, std::string("ustar\00000", 8));
     header.replace(148, 8, 8, ' ');
