@@ -144,9 +144,12 @@ def drag(viewer, button, *keys):
     for key in keys:
         viewer.xdotool("keydown", key)
     viewer.xdotool("mousemove", 700, 500, "mousedown", button)
-    for x in (720, 740, 760, 800):
-        viewer.xdotool("mousemove", x, 530, "sleep", 0.06)
+    viewer.until("the mouse held", lambda s: s["mouse"] == [700, 500] and s["mouse_down"])
+    for x in (720, 740, 760, 800):  # all that comes between two frames is one step
+        viewer.xdotool("mousemove", x, 530)
+        viewer.until("the mouse moved", lambda s: s["mouse"] == [x, 530])
     viewer.xdotool("mouseup", button)
+    viewer.until("the mouse let go", lambda s: not s["mouse_down"])
     for key in keys:
         viewer.xdotool("keyup", key)
 
@@ -281,6 +284,7 @@ def sizes(viewer):
     viewer.key("r", "reset", lambda s: s["shots"] == 0)
     before = viewer.key("n", "one shot", lambda s: s["shots"] == 1)
     viewer.xdotool("mousemove", 150, 500, "click", 4)
+    viewer.settled()
     viewer.xdotool("mousemove", 800, 500, "click", 4)
     state = viewer.until("nearer by the wheel over the picture", lambda s: camera(s)["distance"] < camera(before)["distance"])
     if camera(state)["distance"] < 0.85 * camera(before)["distance"]:

@@ -16,6 +16,7 @@ nlohmann::json jsonOf(const ImVec4& r) { return {r.x, r.y, r.z, r.w}; }
 
 nlohmann::json traced(Ui& ui, const ImVec4& picture, int glErrors, bool settled) {
     Viewer& viewer = ui.viewer;
+    const ImGuiIO& io = ImGui::GetIO();
     nlohmann::json json = {{"mode", nameOf(viewer.state().mode)},
                            {"shots", viewer.simulation().progress().shots},
                            {"unshot_share", viewer.simulation().progress().unshotShare},
@@ -29,6 +30,8 @@ nlohmann::json traced(Ui& ui, const ImVec4& picture, int glErrors, bool settled)
                            {"help", viewer.helpShown()},
                            {"gl_errors", glErrors},
                            {"settled", settled},
+                           {"mouse", {io.MousePos.x, io.MousePos.y}},
+                           {"mouse_down", io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]},
                            {"picture", jsonOf(picture)},
                            {"picked", nullptr},
                            {"sum", nullptr},

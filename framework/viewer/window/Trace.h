@@ -10,7 +10,7 @@ namespace radlab {
 /// Writes what the viewer shows as JSON into a file, whole, whenever it has changed: for tests and demonstrations that drive it.
 ///
 ///     {"mode", "shots", "playing", "building", "reloads", "scene", "picked", "sum", "banners": [{"title", "text"}], "gl_errors",
-///      "help", "settled", "fps", "picture": [left, top, right, bottom], "buttons": {name: [left, top, right, bottom]}, "state": {…}}
+///      "help", "settled", "mouse": [x, y], "mouse_down", "fps", "picture": [left, top, right, bottom], "buttons": {name: [left, top, right, bottom]}, "state": {…}}
 ///
 /// Places are in window units from the top left; "state" is what toJson(ViewState) writes.
 class Trace {
