@@ -53,7 +53,8 @@ TEST_CASE("exercise and solutions have the same extensions, a file each") {
 }
 
 TEST_CASE("each extension offers its one function, the same in exercise and solution, and needs Extensions.h alone") {
-    for (const auto& [file, function] : extensions) {
+    for (const auto& extension : extensions) {
+        const std::string &file = extension.first, &function = extension.second;
         CAPTURE(file);
         const std::vector<std::string> offered = definitions(exercises / file);
         REQUIRE(offered.size() == 1);
