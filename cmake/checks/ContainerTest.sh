@@ -8,11 +8,25 @@ folder=$(dirname "$program")
 skip() { echo "-- skipped: $*"; exit 0; }
 asks_for() { case ", $claim," in *", $1,"*) return 0 ;; esac; return 1; }
 
+other='setpriv --reuid=61234 --regid=61234 --clear-groups --inh-caps=-all'
+
+# Whether the clone lies where another user may not go, as below the home of root.
+is_closed() { asks_for "an ordinary user" && [ "$(id -u)" = 0 ] && ! $other test -r "$program"; }
+
 changes_mounts() {
     for what in "bubblewrap missing" "bubblewrap failing" "a clone that only root enters" "a read-only clone" "no /proc" "/tmp noexec"; do
         ! asks_for "$what" || return 0
     done
-    return 1
+    is_closed
+}
+
+# Puts the clone into a folder of this mode; what lay beside it is hidden.
+enclose() {
+    mkdir /mnt/clone
+    mount --bind "$project" /mnt/clone
+    mount -t tmpfs -o mode="$1" none "$(dirname "$project")"
+    mkdir "$project"
+    mount --move /mnt/clone "$project"
 }
 
 # Changes what this mount namespace shows; nothing outside it.
@@ -25,13 +39,7 @@ prepare_mounts() {
         chmod 755 /mnt/bwrap
         mount --bind /mnt/bwrap /usr/bin/bwrap
     fi
-    if asks_for "a clone that only root enters"; then
-        mkdir /mnt/clone
-        mount --bind "$project" /mnt/clone
-        mount -t tmpfs -o mode=0700 none "$(dirname "$project")"
-        mkdir "$project"
-        mount --move /mnt/clone "$project"
-    fi
+    if asks_for "a clone that only root enters"; then enclose 0700; elif is_closed; then enclose 0755; fi
     if asks_for "a read-only clone"; then
         mount --bind "$project" "$project"
         mount -o remount,bind,ro "$project"
@@ -56,7 +64,6 @@ enter() {
             cd /
             asks_for "an ordinary user" || exec env RADLAB_STAGE=calls sh "$0" "$@"
             command -v setpriv >/dev/null || skip "setpriv is not there"
-            other='setpriv --reuid=61234 --regid=61234 --clear-groups --inh-caps=-all'
             $other test -r "$program" || skip "other users may not read $project"
             exec env RADLAB_STAGE=calls HOME=/nowhere $other sh "$0" "$@" ;;
         calls)

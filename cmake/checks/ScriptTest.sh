@@ -102,14 +102,14 @@ enable_testing()
 
 add_test(NAME "right" COMMAND ${CMAKE_COMMAND} -E echo right)
 foreach(number IN ITEMS 1 2)
-  add_test(NAME "skips: number ${number}" COMMAND ${CMAKE_COMMAND} -E echo "file:7: MESSAGE: -- skipped: no moon, number ${number}")
+  add_test(NAME "skips: number ${number}" COMMAND ${CMAKE_COMMAND} -E echo "file:7: MESSAGE: -- skipped: no moon, & number ${number}")
   set_tests_properties("skips: number ${number}" PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: ")
 endforeach()
 END
         run "$work/a copy/radlab" test
         [ "$code" = 0 ] || wrong "$(cat "$work/out" "$work/err")"
-        says err 'radlab: skipped: skips: number 1: no moon, number 1'
-        says err 'radlab: skipped: skips: number 2: no moon, number 2'
+        says err 'radlab: skipped: skips: number 1: no moon, & number 1'
+        says err 'radlab: skipped: skips: number 2: no moon, & number 2'
         [ "$(tail -n 1 "$work/out")" = '100% tests passed, 0 tests failed out of 3' ] || wrong "$(cat "$work/out")"
         sed -i 's/-E echo right/-E false/' "$work/a copy/CMakeLists.txt"
         run "$work/a copy/radlab" test
