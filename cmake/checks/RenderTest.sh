@@ -168,10 +168,10 @@ case $claim in
         exits 130
         says out 'stopped by Ctrl-C: 10000000 paths were asked for'
         [ "$(grep -vc '^#' box.csv)" -eq 7 ] || wrong "$(cat box.csv)"
-        interrupted_in ' [1-9][0-9]* %' "$project/resources/scenes/furnace.x3d" --patch-size 10 --method path --samples 1000000 \
+        interrupted_in ' [1-9][0-9]* %' "$project/resources/scenes/furnace.x3d" --patch-size 10 --method path --samples 100000 \
             --width 64 --height 64 -o box.png
         exits 130
-        says out 'stopped by Ctrl-C: 1000000 paths were asked for'
+        says out 'stopped by Ctrl-C: 100000 paths were asked for'
         [ "$(head -c 4 box.png | tail -c 3)" = PNG ] || wrong "no PNG"
         ;;
     "Ctrl-C in links ends with the links of the rounds so far, or with none")
