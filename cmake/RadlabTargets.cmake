@@ -120,6 +120,13 @@ function(radlab_have libraries out)
   endforeach()
 endfunction()
 
+# Tests are compiled once and run once: -O1 takes three quarters of the time of -O3. What they test is compiled as always.
+function(radlab_compile_quickly name)
+  if(TARGET ${name} AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
 # A test program of all …Test.cpp in a folder, its cases listed one by one in ctest.
 function(radlab_tests name folder)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*Test.cpp)
@@ -129,6 +136,7 @@ function(radlab_tests name folder)
   endif()
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE radlab_test_main ${ARGN})
+  radlab_compile_quickly(${name})
   radlab_reuse_headers(${name} radlab_precompiled_tests)
   radlab_unify(${name})
   doctest_discover_tests(${name} TEST_PREFIX "${name}: " PROPERTIES SKIP_REGULAR_EXPRESSION "-- skipped: ")

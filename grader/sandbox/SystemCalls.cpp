@@ -93,13 +93,13 @@ private:
 std::string makeFilter(Calls calls) {
     Filter filter;
     filter.allow(ofAll);
-    filter.allowWhere("ioctl", {SCMP_A1(SCMP_CMP_EQ, TCGETS)});
-    filter.allowWhere("ioctl", {SCMP_A1(SCMP_CMP_EQ, FIONREAD)});
+    filter.allowWhere("ioctl", {SCMP_A1(SCMP_CMP_EQ, TCGETS, 0)});
+    filter.allowWhere("ioctl", {SCMP_A1(SCMP_CMP_EQ, FIONREAD, 0)});
     if (calls == Calls::submission) {
         filter.allowWhere("open", {SCMP_A1(SCMP_CMP_MASKED_EQ, changing, O_RDONLY)});
         filter.allowWhere("openat", {SCMP_A2(SCMP_CMP_MASKED_EQ, changing, O_RDONLY)});
         filter.allowWhere("clone", {SCMP_A0(SCMP_CMP_MASKED_EQ, newNamespaces | CLONE_THREAD, CLONE_THREAD)});
-        filter.allowWhere("prlimit64", {SCMP_A2(SCMP_CMP_EQ, 0)});  // reads a limit
+        filter.allowWhere("prlimit64", {SCMP_A2(SCMP_CMP_EQ, 0, 0)});  // reads a limit
         return filter.program();
     }
     filter.allow(ofServers);

@@ -13,8 +13,8 @@ namespace radlab::grader {
 
 namespace {
 
-constexpr int samples = 2;  // per pixel along each edge
-constexpr int edge = samples * pictureSize;
+constexpr int samples = 2;  // per pixel along each sampledEdge
+constexpr int sampledEdge = samples * pictureSize;
 
 // All pictures are of a few boxes, which many submissions colour.
 Fingerprint pictureKey(const State& state, const Camera& camera) {
@@ -38,8 +38,8 @@ std::shared_ptr<const IdImage> visiblePatches(const State& state, const Camera& 
     return remembered<IdImage>(state, camera, [&] {
         RasterStyle fronts;
         fronts.cull = RasterStyle::Cull::back;
-        const std::array<IdView, 1> views = {{{clipFromWorld(state, camera), 0, 0, edge, edge}}};
-        return rasterIds(state, views, edge, edge, fronts);
+        const std::array<IdView, 1> views = {{{clipFromWorld(state, camera), 0, 0, sampledEdge, sampledEdge}}};
+        return rasterIds(state, views, sampledEdge, sampledEdge, fronts);
     });
 }
 
@@ -50,7 +50,7 @@ public:
         : eye(camera.position), worldFromClip(glm::inverse(clipFromWorld(state, camera))) {}
 
     glm::dvec3 hit(int x, int y, const MyPolygon& patch) const {
-        const glm::dvec4 clip(2.0 * (x + 0.5) / edge - 1.0, 2.0 * (y + 0.5) / edge - 1.0, 0.0, 1.0);
+        const glm::dvec4 clip(2.0 * (x + 0.5) / sampledEdge - 1.0, 2.0 * (y + 0.5) / sampledEdge - 1.0, 0.0, 1.0);
         const glm::dvec4 world = worldFromClip * clip;
         const glm::dvec3 direction = glm::dvec3(world) / world.w - eye, normal(patch.normal);
         return eye + direction * (glm::dot(glm::dvec3(patch.center) - eye, normal) / glm::dot(direction, normal));
@@ -98,7 +98,7 @@ std::shared_ptr<const std::vector<Mix>> mixes(const State& state, const Camera& 
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (ids.patch[i] < 0) continue;
             const MyPolygon& patch = state.patches[static_cast<std::size_t>(ids.patch[i])];
-            const int x = static_cast<int>(i) % edge, y = static_cast<int>(i) / edge;
+            const int x = static_cast<int>(i) % sampledEdge, y = static_cast<int>(i) / sampledEdge;
             all[i] = mixAt(state, patch, rays.hit(x, y, patch));
         }
         return all;
@@ -107,12 +107,12 @@ std::shared_ptr<const std::vector<Mix>> mixes(const State& state, const Camera& 
 
 template <class ColorAt>
 Image drawn(const IdImage& ids, const ColorAt& colorAt) {
-    Image image(edge, edge);
-    for (int y = 0; y < edge; ++y)
-        for (int x = 0; x < edge; ++x) {
-            const std::size_t sample = static_cast<std::size_t>(y) * edge + static_cast<std::size_t>(x);
+    Image image(sampledEdge, sampledEdge);
+    for (int y = 0; y < sampledEdge; ++y)
+        for (int x = 0; x < sampledEdge; ++x) {
+            const std::size_t sample = static_cast<std::size_t>(y) * sampledEdge + static_cast<std::size_t>(x);
             const int patch = ids.patch[sample];
-            if (patch >= 0) image.at(x, edge - 1 - y) = colorAt(sample, static_cast<std::size_t>(patch));
+            if (patch >= 0) image.at(x, sampledEdge - 1 - y) = colorAt(sample, static_cast<std::size_t>(patch));
         }
     return image.shrunk(samples);
 }
