@@ -363,7 +363,7 @@ with tempfile.TemporaryDirectory() as folder, Display():
         viewer.ready()
         viewer.xdotool("key", "n")
         viewer.banner(f"distributeEnergy ran for more than {hang} s")
-        write(solution.replace("MyPolygon* maxenergy_patch() {", "static int initialised = *static_cast<volatile int*>(nullptr);\nMyPolygon* maxenergy_patch() {", 1))
+        write(solution.replace("MyPolygon* maxenergy_patch() {", "#include <csignal>\nstatic int initialised = std::raise(SIGSEGV);\nMyPolygon* maxenergy_patch() {", 1))
         viewer.banner("while it was being loaded")
         if list(pathlib.Path(os.environ["TMPDIR"]).glob("radlab-view-*")):
             wrong("the library that crashed was left behind")
