@@ -1,3 +1,7 @@
+#ifdef __linux__
+#include <unistd.h>
+#endif
+
 #include <doctest/doctest.h>
 
 #include "base/TemporaryPlace.h"
@@ -15,6 +19,8 @@ TEST_CASE("temporary files lie where TMPDIR says, or else where programs may be 
     std::filesystem::create_directory(folder / "own");
     setenv("TMPDIR", (folder / "own").c_str(), 1);
     CHECK(temporaryPlace() == folder / "own");
+    std::filesystem::permissions(folder / "own", std::filesystem::perms(0700));
+    CHECK((temporaryPlace() == folder / "own") == (geteuid() != 0));
     setenv("TMPDIR", (folder / "absent").c_str(), 1);
     const std::filesystem::path other = temporaryPlace();
     CHECK(other != folder / "absent");
