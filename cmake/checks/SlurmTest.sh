@@ -4,9 +4,9 @@
 PATH=$PATH:/usr/sbin:/sbin
 
 stop() {
-    [ ! -f slurm.conf ] || SLURM_CONF=$PWD/slurm.conf scontrol shutdown >/dev/null 2>&1
+    [ ! -f slurm.conf ] || SLURM_CONF=$PWD/slurm.conf scontrol shutdown >/dev/null 2>&1 || true
     for name in slurmctld slurmd munged; do
-        [ ! -f "$name.pid" ] || kill "$(cat "$name.pid")" 2>/dev/null
+        kill "$(cat "$name.pid" 2>/dev/null)" 2>/dev/null || true  # it may end and take its file away at any moment
     done
     sleep 0.5
     rm -rf "$work"
